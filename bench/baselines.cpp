@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "baselines.hpp"
+
+#include <fast_float/fast_float.h>
+
+#include <fstream>
+
+namespace kinefile::bench {
+
+std::string_view numbers_of_bvh(std::string_view text) {
+  const std::size_t frame_time = text.find("Frame Time:");
+  return text.substr(text.find('\n', frame_time) + 1);
+}
+
+double sum_with_fast_float(std::string_view numbers) {
+  const char* p = numbers.data();
+  const char* end = p + numbers.size();
+  double sum = 0;
+  while (true) {
+    while (p != end && (*p == ' ' || *p == '\n' || *p == '\t' || *p == '\r')) ++p;
+    if (p == end) return sum;
+    double value = 0;
+    p = fast_float::from_chars(p, end, value).ptr;
+    sum += value;
+  }
+}
+
+double sum_with_ifstream(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  while (std::getline(file, line) && line.rfind("Frame Time:", 0) != 0) continue;
+  double sum = 0;
+  double value = 0;
+  while (file >> value) sum += value;
+  return sum;
+}
+
+std::vector<double> positions_with_eigen(const Motion& motion) {
+  const std::vector<Joint>& joints = motion.skeleton.joints;
+  std::vector<Mat3> rotations(joints.size());
+  std::vector<Vec3> positions(joints.size());
+  std::vector<double> all(motion.clip.num_frames * joints.size() * 3);
+  double* out = all.data();
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const auto row = motion.clip.row(f);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const Joint& joint = joints[j];
+      Vec3 position = joint.offset;
+      Mat3 rotation = Mat3::Identity();
+      for (const DegreeOfFreedom& dof : joint.dofs) {
+        const double value = row[dof.coordinate];
+        if (dof.kind == DofKind::Translation) {
+          position += value * dof.axis;
+        } else {
+          rotation *= Eigen::AngleAxisd(value * kRadiansPerDegree, dof.axis).toRotationMatrix();
+        }
+      }
+      const bool is_root = joint.parent == kNoParent;
+      rotations[j] = is_root ? rotation : Mat3(rotations[joint.parent] * rotation);
+      positions[j] =
+          is_root ? position : Vec3(positions[joint.parent] + rotations[joint.parent] * position);
+      for (Eigen::Index k = 0; k < 3; ++k) *out++ = positions[j][k];
+    }
+  }
+  return all;
+}
+
+}  // namespace kinefile::bench

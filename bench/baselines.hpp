@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+
+// What the benchmarks are measured against: the plainest code that does the same job.
+
+namespace kinefile::bench {
+
+/// The text behind the line "Frame Time: ...": numbers and blanks alone.
+std::string_view numbers_of_bvh(std::string_view text);
+
+/// Skips blanks, reads a number with fast_float, adds it up; nothing is stored.
+double sum_with_fast_float(std::string_view numbers);
+
+/// Reads the numbers of a BVH file with `ifstream >>` and adds them up.
+double sum_with_ifstream(const std::string& path);
+
+/// Positions of all joints and frames, a frame at a time: for each joint the product of three
+/// Eigen rotation matrices, then of the parent's.
+/// \returns [frame][joint][3]
+std::vector<double> positions_with_eigen(const Motion& motion);
+
+}  // namespace kinefile::bench

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Measures kinefile against named baselines in the same run and prints the ratios.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "baselines.hpp"
+#include "kinefile/kinefile.hpp"
+#include "walk.hpp"
+
+namespace kinefile::bench {
+namespace {
+
+constexpr std::size_t kFrames = 88'000;  // about 50 MB of text
+
+/// What the benchmarks work on.
+struct Subject {
+  std::string path;
+  Motion motion;
+};
+
+Subject& subject() {
+  static Subject instance;
+  return instance;
+}
+
+Document read_subject() {
+  Diagnostics diagnostics;
+  auto document = read_file(subject().path, find_format("bvh"), {}, diagnostics);
+  if (!document) {
+    fmt::print(stderr, "{}\n", to_string(document.error()));
+    std::exit(1);
+  }
+  return std::move(*document);
+}
+
+void read_kinefile(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(read_subject());
+}
+
+void read_bare_loop(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().path);
+    benchmark::DoNotOptimize(sum_with_fast_float(numbers_of_bvh(bytes->view())));
+  }
+}
+
+void read_ifstream(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(sum_with_ifstream(subject().path));
+}
+
+void fk_kinefile(benchmark::State& state) {
+  const Motion& motion = subject().motion;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(forward_kinematics(motion.skeleton, motion.clip));
+  }
+}
+
+void fk_eigen(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(positions_with_eigen(subject().motion));
+}
+
+void write_kinefile(benchmark::State& state) {
+  Document document;
+  document.content = subject().motion;
+  Diagnostics diagnostics;
+  std::size_t num_bytes = 0;
+  const Sink sink = [&num_bytes](std::string_view piece) {
+    num_bytes += piece.size();
+    return true;
+  };
+  for (auto _ : state) {
+    const auto written = find_format("bvh")->write(document, {}, sink, diagnostics);
+    if (!written) state.SkipWithError("not written");
+  }
+  benchmark::DoNotOptimize(num_bytes);
+}
+
+/// Prints as usual and keeps the fastest time of each benchmark.
+class Reporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations);
+      auto [found, is_new] = best_.try_emplace(run.run_name.function_name, seconds);
+      if (!is_new) found->second = std::min(found->second, seconds);
+    }
+    ConsoleReporter::ReportRuns(runs);
+  }
+  double best(const std::string& name) const {
+    const auto found = best_.find(name);
+    return found == best_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::string, double> best_;
+};
+
+/// The most memory that a process needed which read the file and placed all joints, as a multiple
+/// of the file's size.
+double peak_memory_ratio() {
+  const pid_t child = fork();
+  if (child == 0) {
+    const Document document = read_subject();
+    const Motion& motion = std::get<Motion>(document.content);
+    const Box box = world_extent(motion.skeleton, motion.clip);
+    _exit(box.min.allFinite() ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const double size = static_cast<double>(std::filesystem::file_size(subject().path));
+  return static_cast<double>(usage.ru_maxrss) * 1024 / size;
+}
+
+/// The largest distance of the two ways to place joints, as a share of the largest coordinate.
+double disagreement() {
+  const Motion& motion = subject().motion;
+  const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip);
+  const std::vector<double> reference = positions_with_eigen(motion);
+  double largest = 0;
+  double difference = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    largest = std::max(largest, std::abs(reference[i]));
+    difference = std::max(difference, std::abs(reference[i] - poses.positions[i]));
+  }
+  return difference / largest;
+}
+
+void print_ratio(const Reporter& reporter, std::string_view what, const std::string& ours,
+                 const std::string& baseline) {
+  if (reporter.best(ours) == 0 || reporter.best(baseline) == 0) return;
+  fmt::print("{:<58}{:.2f}\n", what, reporter.best(baseline) / reporter.best(ours));
+}
+
+void prepare() {
+  char name[] = "kinefile-bench.XXXXXX.bvh";
+  const std::string folder = std::filesystem::temp_directory_path();
+  const int descriptor = mkstemps(name, 4);
+  close(descriptor);
+  std::filesystem::remove(name);
+  subject().path = folder + "/" + name;
+  Document document;
+  document.content = examples::make_walk({.num_frames = kFrames});
+  Diagnostics diagnostics;
+  const auto written =
+      write_file(subject().path, document, *find_format("bvh"), {}, true, diagnostics);
+  if (!written) {
+    fmt::print(stderr, "{}\n", to_string(written.error()));
+    std::exit(1);
+  }
+}
+
+int run(int argc, char** argv) {
+  // Turn by turn, so that a machine whose speed drifts slows all of them alike.
+  std::vector<char*> arguments(argv, argv + argc);
+  char interleave[] = "--benchmark_enable_random_interleaving=true";
+  arguments.insert(arguments.begin() + 1, interleave);
+  arguments.push_back(nullptr);
+  int count = argc + 1;
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  prepare();
+  const double memory = peak_memory_ratio();  // before this process has grown
+  subject().motion = std::get<Motion>(read_subject().content);
+  const auto add = [](const char* benchmark_name, void (*function)(benchmark::State&)) {
+    benchmark::RegisterBenchmark(benchmark_name, function)
+        ->Unit(benchmark::kMillisecond)
+        ->Repetitions(9)
+        ->ReportAggregatesOnly(false);
+  };
+  add("read/kinefile", read_kinefile);
+  add("read/bare_fast_float_loop", read_bare_loop);
+  add("read/ifstream", read_ifstream);
+  add("fk/kinefile", fk_kinefile);
+  add("fk/eigen_per_frame", fk_eigen);
+  add("write/kinefile", write_kinefile);
+  Reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  fmt::print("\n{:.1f} MB of BVH, {} frames; ratios of the fastest of 9 runs, above 1 is faster\n",
+             static_cast<double>(std::filesystem::file_size(subject().path)) / 1e6, kFrames);
+  print_ratio(reporter, "reading a file, against a bare fast_float loop", "read/kinefile",
+              "read/bare_fast_float_loop");
+  print_ratio(reporter, "reading a file, against ifstream >>", "read/kinefile", "read/ifstream");
+  print_ratio(reporter, "forward kinematics, against a plain Eigen loop", "fk/kinefile",
+              "fk/eigen_per_frame");
+  fmt::print("{:<58}{:.2f}\n", "peak memory, as a multiple of the file's size", memory);
+  fmt::print("{:<58}{:.1e}\n", "largest difference of the two kinematics, relative",
+             disagreement());
+  std::filesystem::remove(subject().path);
+  return 0;
+}
+
+}  // namespace
+}  // namespace kinefile::bench
+
+int main(int argc, char** argv) { return kinefile::bench::run(argc, argv); }

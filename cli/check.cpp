@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "report.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Check {
+  std::vector<std::string> files;
+  bool is_json = false;
+  Reading reading;
+};
+
+Json json_of(const Diagnostic& item) {
+  return {{"file", item.place.source},   {"line", item.place.line},
+          {"column", item.place.column}, {"severity", severity_name(item.severity)},
+          {"code", item.code},           {"message", item.message}};
+}
+
+void print_summary(const std::string& path, const Diagnostics& diagnostics,
+                   const Globals& globals) {
+  if (globals.is_quiet) return;
+  const auto count = [&diagnostics](Severity severity, std::string_view word) {
+    const std::size_t number = diagnostics.count(severity);
+    return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+  };
+  std::fflush(stdout);
+  fmt::print(stderr, "{}: {}, {}, {}\n", path, count(Severity::Error, "error"),
+             count(Severity::Warning, "warning"), count(Severity::Note, "note"));
+}
+
+int run(const Check& check, const Globals& globals) {
+  int exit_code = kDone;
+  Json all = Json::array();
+  for (const std::string& path : check.files) {
+    Diagnostics diagnostics;
+    const auto document = load_quietly(path, check.reading, diagnostics);
+    if (!document) {
+      exit_code = worse(exit_code, exit_code_of(document.error()));
+      // A fault of the file itself, not of its content, is not among the diagnostics yet.
+      if (!diagnostics.has_errors()) diagnostics.add(document.error());
+    }
+    if (check.is_json) {
+      for (const Diagnostic& item : diagnostics.items()) all.push_back(json_of(item));
+    } else {
+      print_diagnostics(stdout, diagnostics, globals);
+      print_summary(path, diagnostics, globals);
+    }
+  }
+  if (check.is_json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+  return exit_code;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Globals& globals) {
+  auto check = std::make_shared<Check>();
+  CLI::App* command =
+      app.add_subcommand("check", "Report every fault of files, each with its place");
+  command->add_option("FILE", check->files, "Files to read; - is standard input")->required();
+  command->add_flag("--json", check->is_json, "Print an array with an object a fault");
+  add_reading_options(*command, check->reading);
+  command->callback(
+      [check, &globals] { globals.run = [check, &globals] { return run(*check, globals); }; });
+}
+
+}  // namespace kinefile::cli

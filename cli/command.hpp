@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinefile/kinefile.hpp"
+
+namespace kinefile::cli {
+
+/// What the program returns to its caller; see docs/guide/command-line.md.
+enum ExitCode : int {
+  kDone = 0,
+  kInvalid = 1,
+  kUsage = 2,
+  kIo = 3,
+  kDataLoss = 4,
+  kPartOfBatch = 5,
+};
+
+/// Options of every command.
+struct Globals {
+  bool is_quiet = false;
+  std::string color = "auto";
+  std::function<int()> run;  ///< the command that was chosen
+};
+
+/// Options of every command that reads files.
+struct Reading {
+  std::string from;
+  std::string positions = "replace";
+  std::string encoding;
+  std::optional<double> fps;
+  bool is_lenient = false;
+  bool is_strict = false;
+};
+
+/// Gives a command the options of `Reading`.
+void add_reading_options(CLI::App& command, Reading& reading);
+
+/// Reads a file; null after a fault, which is then reported on stderr and counted in `exit_code`.
+std::optional<Document> load(const std::string& path, const Reading& reading,
+                             const Globals& globals, int& exit_code);
+
+/// As `load`, but reports nothing: what was noticed is in `diagnostics`.
+Result<Document> load_quietly(const std::string& path, const Reading& reading,
+                              Diagnostics& diagnostics);
+
+/// Reports that the command was asked for something that makes no sense. Returns kUsage.
+int usage_error(const Globals& globals, const std::string& message);
+
+void add_info(CLI::App& app, Globals& globals);
+void add_check(CLI::App& app, Globals& globals);
+void add_fk(CLI::App& app, Globals& globals);
+void add_convert(CLI::App& app, Globals& globals);
+void add_diff(CLI::App& app, Globals& globals);
+void add_formats(CLI::App& app, Globals& globals);
+
+/// Writes the man page, or the completions for a shell: "man", "bash", "zsh" or "fish".
+std::string manual(const CLI::App& app, const std::string& kind);
+
+}  // namespace kinefile::cli

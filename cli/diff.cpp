@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "report.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Diff {
+  std::string first;
+  std::string second;
+  double tolerance = 0;
+  bool is_json = false;
+  Reading reading;
+};
+
+bool is_different(const MotionComparison& comparison, double tolerance) {
+  return comparison.distance.value > tolerance || comparison.tip_distance.value > tolerance ||
+         !comparison.only_in_first.empty() || !comparison.only_in_second.empty() ||
+         comparison.num_frames_first != comparison.num_frames_second;
+}
+
+void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
+  if (largest.joint.empty()) return;
+  fmt::print("{:<22}{}{}", what, largest.value, unit);
+  if (largest.value > 0) {
+    fmt::print(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time);
+  }
+  fmt::print("\n");
+}
+
+void print_names(std::string_view what, const std::vector<std::string>& names) {
+  for (const std::string& name : names) fmt::print("{:<22}'{}'\n", what, name);
+}
+
+void print_text(const Diff& diff, const MotionComparison& comparison) {
+  print_largest("largest distance", comparison.distance, "");
+  print_largest("largest tip distance", comparison.tip_distance, "");
+  print_largest("largest rotation", comparison.rotation, " degrees");
+  print_names("only in the first", comparison.only_in_first);
+  print_names("only in the second", comparison.only_in_second);
+  if (comparison.num_frames_first != comparison.num_frames_second) {
+    fmt::print("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
+               comparison.num_frames_second);
+  }
+  fmt::print("{}\n",
+             is_different(comparison, diff.tolerance) ? "the motions differ" : "the motions agree");
+}
+
+Json json_of(const LargestDifference& largest) {
+  if (largest.joint.empty()) return nullptr;
+  return {{"value", std::isfinite(largest.value) ? Json(largest.value) : Json("inf")},
+          {"joint", largest.joint},
+          {"frame", largest.frame},
+          {"time", largest.time}};
+}
+
+Json json_of(const Diff& diff, const MotionComparison& comparison) {
+  return {{"is_different", is_different(comparison, diff.tolerance)},
+          {"distance", json_of(comparison.distance)},
+          {"tip_distance", json_of(comparison.tip_distance)},
+          {"rotation_degrees", json_of(comparison.rotation)},
+          {"only_in_first", comparison.only_in_first},
+          {"only_in_second", comparison.only_in_second},
+          {"num_frames", {comparison.num_frames_first, comparison.num_frames_second}}};
+}
+
+/// The motion of a document; a skeleton alone is compared in its rest pose.
+Motion motion_of(Document&& document) {
+  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
+  Motion rest;
+  rest.skeleton = std::get<Skeleton>(std::move(document.content));
+  rest.clip = rest_clip(rest.skeleton);
+  return rest;
+}
+
+int run(const Diff& diff, const Globals& globals) {
+  int exit_code = kDone;
+  auto first = load(diff.first, diff.reading, globals, exit_code);
+  auto second = load(diff.second, diff.reading, globals, exit_code);
+  if (!first || !second) return exit_code;
+  const MotionComparison comparison =
+      compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
+  if (diff.is_json) {
+    fmt::print("{}\n", json_of(diff, comparison).dump(2));
+  } else {
+    print_text(diff, comparison);
+  }
+  return is_different(comparison, diff.tolerance) ? kInvalid : kDone;
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Globals& globals) {
+  auto diff = std::make_shared<Diff>();
+  CLI::App* command = app.add_subcommand("diff", "Compare where two motions put their joints");
+  command->add_option("A", diff->first, "The first file")->required();
+  command->add_option("B", diff->second, "The second file")->required();
+  command->add_option("--tolerance", diff->tolerance, "Distances up to this are no difference")
+      ->check(CLI::NonNegativeNumber)
+      ->default_str("0")
+      ->type_name("T");
+  command->add_flag("--json", diff->is_json, "Print an object");
+  add_reading_options(*command, diff->reading);
+  command->callback(
+      [diff, &globals] { globals.run = [diff, &globals] { return run(*diff, globals); }; });
+}
+
+}  // namespace kinefile::cli

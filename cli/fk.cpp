@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "command.hpp"
+#include "report.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct Fk {
+  std::string file;
+  std::string out = "-";
+  std::string to;
+  std::string frames;
+  std::string joints;
+  std::string unit = "file";
+  std::string unit_in;
+  bool is_rest = false;
+  bool has_tips = false;
+  bool has_rotations = false;
+  bool has_directions = false;
+  bool is_local = false;
+  bool may_replace = false;
+  Reading reading;
+};
+
+struct FrameRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t step = 1;
+};
+
+/// Reads A:B or A:B:STEP, either end left out at will; a frame alone is that frame.
+std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames) {
+  std::vector<std::string> parts = CLI::detail::split(text, ':');
+  if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
+  FrameRange range{0, num_frames, 1};
+  if (text.empty()) return range;
+  if (parts.size() > 3 || parts.size() < 2) return std::nullopt;
+  std::size_t* const numbers[] = {&range.begin, &range.end, &range.step};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string& part = parts[i];
+    if (part.empty() && i < 2) continue;
+    const char* end = part.data() + part.size();
+    const auto [next, error] = std::from_chars(part.data(), end, *numbers[i]);
+    if (error != std::errc() || next != end) return std::nullopt;
+  }
+  const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
+  return is_inside ? std::optional(range) : std::nullopt;
+}
+
+/// Metres in one unit of length, from a word or a number.
+std::optional<double> metres_of(const std::string& unit) {
+  if (unit == "m") return 1.0;
+  if (unit == "cm") return 0.01;
+  if (unit == "mm") return 0.001;
+  if (unit == "inch") return 0.0254;
+  double factor = 0;
+  const bool is_number = CLI::detail::lexical_cast(unit, factor);
+  return is_number && factor > 0 && factor < 1e30 ? std::optional(factor) : std::nullopt;
+}
+
+/// The joints of a comma-separated list, in skeleton order; all joints for an empty list. A name
+/// that stands for no joint is returned in `unknown`.
+std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::string& list,
+                                       std::string& unknown) {
+  std::vector<bool> is_selected(skeleton.joints.size(), list.empty());
+  const auto names = list.empty() ? std::vector<std::string>{} : CLI::detail::split(list, ',');
+  for (const std::string& name : names) {
+    bool is_known = false;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+      if (skeleton.joints[j].name != name) continue;
+      is_selected[j] = true;
+      is_known = true;
+    }
+    if (!is_known && unknown.empty()) unknown = name;
+  }
+  std::vector<std::size_t> selected;
+  for (std::size_t j = 0; j < is_selected.size(); ++j) {
+    if (is_selected[j]) selected.push_back(j);
+  }
+  return selected;
+}
+
+PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip, std::size_t begin,
+                 std::size_t count) {
+  KinematicsOptions options;
+  options.first_frame = begin;
+  options.num_frames = count;
+  options.rotations = fk.has_rotations;
+  options.directions = fk.has_directions;
+  options.tips = fk.has_tips;
+  if (fk.is_local) return local_poses(skeleton, clip, options);
+  return forward_kinematics(skeleton, clip, options);
+}
+
+/// Writes the table a block of frames at a time, so that a long clip needs little memory.
+bool write_csv(const Fk& fk, const PoseTable& table, const Clip& clip, const FrameRange& range,
+               const Sink& sink) {
+  const std::size_t block = table.frame_step * std::max<std::size_t>(1, 1024 / table.frame_step);
+  bool is_good = write_pose_csv_header(table, sink);
+  for (std::size_t begin = range.begin; is_good && begin < range.end; begin += block) {
+    const std::size_t count = std::min(block, range.end - begin);
+    is_good = write_pose_csv(table, place(fk, *table.skeleton, clip, begin, count), sink);
+  }
+  return is_good;
+}
+
+int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, const Clip& clip,
+                const FrameRange& range, bool is_json) {
+  auto file = OutputFile::create(fk.out, fk.may_replace);
+  if (!file) {
+    print_error(file.error(), globals);
+    return exit_code_of(file.error());
+  }
+  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
+  if (is_json) {
+    const std::size_t count = range.end - range.begin;
+    write_pose_json(table, place(fk, *table.skeleton, clip, range.begin, count), sink);
+  } else {
+    write_csv(fk, table, clip, range, sink);
+  }
+  const auto committed = file->commit();
+  if (committed) return kDone;
+  print_error(committed.error(), globals);
+  return exit_code_of(committed.error());
+}
+
+/// Finds out whether to write CSV or JSON; nothing for another format.
+std::optional<bool> is_json_wanted(const Fk& fk) {
+  if (!fk.to.empty()) return fk.to == "json";
+  if (fk.out == "-") return false;
+  const Format* format = format_of_name(fk.out);
+  if (format == nullptr || (format->name != "csv" && format->name != "json")) return std::nullopt;
+  return format->name == "json";
+}
+
+int run(const Fk& fk, const Globals& globals) {
+  const auto is_json = is_json_wanted(fk);
+  if (!is_json) {
+    return usage_error(globals, fmt::format("'{}' shows no format that poses are written in; "
+                                            "name it .csv or .json, or say --to",
+                                            fk.out));
+  }
+  int exit_code = kDone;
+  const auto document = load(fk.file, fk.reading, globals, exit_code);
+  if (!document) return exit_code;
+  const Skeleton& skeleton = skeleton_of(*document);
+  const Motion* motion = std::get_if<Motion>(&document->content);
+  if (motion == nullptr && !fk.is_rest) {
+    return usage_error(globals, fmt::format("'{}' holds a skeleton alone; --rest shows its rest "
+                                            "pose",
+                                            fk.file));
+  }
+  const Clip rest = rest_clip(skeleton);
+  const Clip& clip = fk.is_rest ? rest : motion->clip;
+  const auto range = parse_range(fk.frames, clip.num_frames);
+  if (!range) {
+    return usage_error(globals, fmt::format("expected --frames A:B or A:B:STEP within 0:{}, found "
+                                            "'{}'",
+                                            clip.num_frames, fk.frames));
+  }
+  std::string unknown;
+  PoseTable table{&skeleton,   &clip.timeline,   select_joints(skeleton, fk.joints, unknown),
+                  range->step, fk.has_rotations, fk.has_directions,
+                  fk.has_tips};
+  if (!unknown.empty()) {
+    return usage_error(globals, fmt::format("there is no joint '{}' in '{}'", unknown, fk.file));
+  }
+  if (fk.unit == "m") {
+    const auto given = metres_of(fk.unit_in);
+    table.length_scale = given.value_or(skeleton.metres_per_unit);
+    if (table.length_scale == 0) {
+      return usage_error(globals,
+                         "the file does not say its unit of length, so --unit m needs "
+                         "--unit-in m|cm|mm|inch|FACTOR");
+    }
+  }
+  return write_table(fk, globals, table, clip, *range, *is_json);
+}
+
+std::string check_unit(const std::string& text) {
+  return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
+}
+
+}  // namespace
+
+void add_fk(CLI::App& app, Globals& globals) {
+  auto fk = std::make_shared<Fk>();
+  CLI::App* command =
+      app.add_subcommand("fk", "Place every joint in the world (forward kinematics)");
+  command->add_option("FILE", fk->file, "File to read; - is standard input")->required();
+  command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
+      ->type_name("OUT");
+  command->add_option("--to", fk->to, "Format of the output")
+      ->check(CLI::IsMember({"csv", "json"}))
+      ->type_name("FORMAT");
+  CLI::Option* rest = command->add_flag("--rest", fk->is_rest, "The rest pose, as frame 0");
+  command
+      ->add_option("--frames", fk->frames, "Frames A to B, B not included; either may be left out")
+      ->type_name("A:B[:STEP]")
+      ->excludes(rest);
+  command->add_option("--joints", fk->joints, "These joints alone")->type_name("A,B,...");
+  command->add_flag("--tips", fk->has_tips, "A row NAME.tip after each joint that has a tip");
+  command->add_flag("--rotations", fk->has_rotations, "Add the rotation, qw qx qy qz");
+  command->add_flag("--direction", fk->has_directions, "Add the direction of the bone, ux uy uz");
+  command->add_flag("--local", fk->is_local, "In the frame of each joint's parent");
+  command->add_option("--unit", fk->unit, "Unit of lengths: the file's own, or metres")
+      ->check(CLI::IsMember({"file", "m"}))
+      ->default_str("file")
+      ->type_name("UNIT");
+  command->add_option("--unit-in", fk->unit_in, "What the file's unit of length is")
+      ->check(check_unit)
+      ->type_name("m|cm|mm|inch|FACTOR");
+  command->add_flag("--force", fk->may_replace, "Replace an existing file");
+  add_reading_options(*command, fk->reading);
+  command->callback([fk, &globals] { globals.run = [fk, &globals] { return run(*fk, globals); }; });
+}
+
+}  // namespace kinefile::cli

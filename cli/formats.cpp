@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int run(bool is_json) {
+  Json all = Json::array();
+  if (!is_json) fmt::print("{:<8}{:<8}{:<10}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS");
+  for (const Format& format : formats()) {
+    const bool is_read = format.read != nullptr;
+    const bool is_written = format.write != nullptr;
+    if (is_json) {
+      all.push_back({{"name", format.name},
+                     {"reads", is_read},
+                     {"writes", is_written},
+                     {"extensions", format.extensions},
+                     {"description", format.description}});
+      continue;
+    }
+    std::string extensions;
+    for (const std::string_view extension : format.extensions) {
+      extensions += fmt::format("{}{}", extensions.empty() ? "" : " ", extension);
+    }
+    fmt::print("{:<8}{:<8}{:<10}{}\n", format.name,
+               fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"), extensions,
+               format.description);
+  }
+  if (is_json) fmt::print("{}\n", all.dump(2));
+  return kDone;
+}
+
+}  // namespace
+
+void add_formats(CLI::App& app, Globals& globals) {
+  auto is_json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("formats", "List what can be read (r) and written (w)");
+  command->add_flag("--json", *is_json, "Print an array with an object a format");
+  command->callback([is_json, &globals] { globals.run = [is_json] { return run(*is_json); }; });
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "report.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Info {
+  std::vector<std::string> files;
+  bool is_tree = false;
+  bool is_json = false;
+  Reading reading;
+};
+
+void print_subtree(const Skeleton& skeleton, const std::vector<std::vector<std::size_t>>& children,
+                   std::string& out) {
+  struct Line {
+    std::size_t joint;
+    std::string indent;
+    bool is_root;
+    bool is_last;
+  };
+  std::vector<Line> waiting;
+  for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
+    if (skeleton.joints[j].parent == kNoParent) waiting.push_back({j, "", true, true});
+  }
+  while (!waiting.empty()) {
+    const Line line = std::move(waiting.back());
+    waiting.pop_back();
+    out += fmt::format("{}{}{}\n", line.indent, line.is_root ? "" : "+- ",
+                       skeleton.joints[line.joint].name);
+    const std::string indent = line.is_root ? "" : line.indent + (line.is_last ? "   " : "|  ");
+    const auto& below = children[line.joint];
+    for (std::size_t c = below.size(); c-- > 0;) {
+      waiting.push_back({below[c], indent, false, c + 1 == below.size()});
+    }
+  }
+}
+
+std::string tree_of(const Skeleton& skeleton) {
+  std::string tree;
+  print_subtree(skeleton, children_of_joints(skeleton), tree);
+  return tree;
+}
+
+/// The orders in which joints turn and how many have each: "ZXY 20, Z 2".
+std::string rotation_orders(const Skeleton& skeleton) {
+  std::map<std::string, std::size_t> counts;
+  for (const Joint& joint : skeleton.joints) {
+    std::string order;
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Rotation) continue;
+      Eigen::Index axis = 0;
+      const bool is_coordinate_axis = dof.axis.cwiseAbs().maxCoeff(&axis) == 1;
+      order += is_coordinate_axis ? "XYZ"[axis] : '?';
+    }
+    if (!order.empty()) ++counts[order];
+  }
+  std::string text;
+  for (const auto& [order, count] : counts) {
+    text += fmt::format("{}{} on {} {}", text.empty() ? "" : ", ", order, count,
+                        count == 1 ? "joint" : "joints");
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::size_t joints_with(const Skeleton& skeleton, DofKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [kind](const Joint& joint) {
+        return std::any_of(joint.dofs.begin(), joint.dofs.end(),
+                           [kind](const DegreeOfFreedom& dof) { return dof.kind == kind; });
+      }));
+}
+
+std::string extra(const Document& document, const std::string& key) {
+  const auto found = document.extras.file.find(key);
+  return found == document.extras.file.end() ? "" : found->second;
+}
+
+std::string box_text(const Box& box) {
+  if (box.min.x() > box.max.x()) return "nothing finite";
+  return fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}", box.min.x(),
+                     box.max.x(), box.min.y(), box.max.y(), box.min.z(), box.max.z());
+}
+
+std::string text_of(const std::string& path, const Document& document) {
+  const Skeleton& skeleton = skeleton_of(document);
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
+  const auto line = [&text](std::string_view key, const std::string& value) {
+    text += fmt::format("  {:<12}{}\n", key, value);
+  };
+  line("dialect", fmt::format("{}, line ends {}, positions {} OFFSET", extra(document, "encoding"),
+                              extra(document, "line_end"),
+                              extra(document, "positions") == "add" ? "added to" : "replace"));
+  const std::size_t num_roots = static_cast<std::size_t>(
+      std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
+                    [](const Joint& joint) { return joint.parent == kNoParent; }));
+  line("joints", fmt::format("{} ({} {}, {} {})", skeleton.joints.size(), num_roots,
+                             num_roots == 1 ? "root" : "roots", num_tips(skeleton),
+                             num_tips(skeleton) == 1 ? "tip" : "tips"));
+  line("dofs", fmt::format("{} in {} columns", num_dofs(skeleton), skeleton.coordinates.size()));
+  line("rotations", rotation_orders(skeleton));
+  line("positions", fmt::format("on {} of {} joints", joints_with(skeleton, DofKind::Translation),
+                                skeleton.joints.size()));
+  if (motion != nullptr) {
+    const Timeline& timeline = motion->clip.timeline;
+    line("frames", fmt::format("{}, the first is {} in the file", motion->clip.num_frames,
+                               timeline.first_frame_number));
+    line("rate",
+         fmt::format("{:.6g} fps, frame time {} s", frame_rate(timeline), frame_time(timeline)));
+    line("duration", fmt::format("{} s", duration(timeline, motion->clip.num_frames)));
+  }
+  line("units",
+       fmt::format("{}, length unit {}",
+                   skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians",
+                   skeleton.metres_per_unit > 0 ? fmt::format("{} m", skeleton.metres_per_unit)
+                                                : "not in the file"));
+  line("rest extent", box_text(world_extent(skeleton, rest_clip(skeleton))));
+  if (motion != nullptr) line("extent", box_text(world_extent(skeleton, motion->clip)));
+  return text;
+}
+
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+Json box_json(const Box& box) {
+  if (box.min.x() > box.max.x()) return nullptr;
+  return {{"min", {box.min.x(), box.min.y(), box.min.z()}},
+          {"max", {box.max.x(), box.max.y(), box.max.z()}}};
+}
+
+Json json_of(const std::string& path, const Document& document) {
+  const Skeleton& skeleton = skeleton_of(document);
+  Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
+  for (const auto& [key, value] : document.extras.file) json[key] = value;
+  json["num_joints"] = skeleton.joints.size();
+  json["num_dofs"] = num_dofs(skeleton);
+  json["num_columns"] = skeleton.coordinates.size();
+  json["num_tips"] = num_tips(skeleton);
+  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
+    const Timeline& timeline = motion->clip.timeline;
+    json["num_frames"] = motion->clip.num_frames;
+    json["first_frame_number"] = timeline.first_frame_number;
+    json["frame_time"] = number(frame_time(timeline));
+    json["frame_rate"] = number(frame_rate(timeline));
+    json["duration"] = number(duration(timeline, motion->clip.num_frames));
+    json["extent"] = box_json(world_extent(skeleton, motion->clip));
+  }
+  json["angle_unit"] = skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians";
+  json["metres_per_unit"] = skeleton.metres_per_unit > 0 ? Json(skeleton.metres_per_unit) : Json();
+  json["rest_extent"] = box_json(world_extent(skeleton, rest_clip(skeleton)));
+  json["joints"] = Json::array();
+  for (const Joint& joint : skeleton.joints) {
+    const Json parent =
+        joint.parent == kNoParent ? Json() : Json(skeleton.joints[joint.parent].name);
+    json["joints"].push_back({{"name", joint.name}, {"parent", parent}});
+  }
+  return json;
+}
+
+int run(const Info& info, const Globals& globals) {
+  int exit_code = kDone;
+  Json all = Json::array();
+  for (const std::string& path : info.files) {
+    const auto document = load(path, info.reading, globals, exit_code);
+    if (!document) continue;
+    if (info.is_json) {
+      all.push_back(json_of(path, *document));
+    } else if (info.is_tree) {
+      if (info.files.size() > 1) fmt::print("{}:\n", path);
+      fmt::print("{}", tree_of(skeleton_of(*document)));
+    } else {
+      fmt::print("{}", text_of(path, *document));
+    }
+  }
+  if (info.is_json) fmt::print("{}\n", all.dump(2));
+  return exit_code;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Globals& globals) {
+  auto info = std::make_shared<Info>();
+  CLI::App* command = app.add_subcommand("info", "Tell what files hold");
+  command->add_option("FILE", info->files, "Files to read; - is standard input")->required();
+  command->add_flag("--tree", info->is_tree, "Draw the hierarchy of joints, and no more");
+  command->add_flag("--json", info->is_json, "Print an array with an object a file");
+  add_reading_options(*command, info->reading);
+  command->callback(
+      [info, &globals] { globals.run = [info, &globals] { return run(*info, globals); }; });
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "command.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app{"kinefile reads, checks, computes and converts the motion of skeletons and robots.",
+               "kinefile"};
+  app.set_version_flag("--version", fmt::format("kinefile {}", kVersion));
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.get_formatter()->column_width(34);
+  app.footer(
+      "Data goes to stdout, everything else to stderr.\n"
+      "Exit codes: 0 done, 1 the input is not valid (diff: the motions differ), 2 usage,\n"
+      "3 a file could not be read or written, 4 refused because data would be lost.\n"
+      "'kinefile COMMAND --help' tells more of a command.");
+  Globals globals;
+  app.add_flag("-q,--quiet", globals.is_quiet, "No notes, no warnings: errors alone");
+  app.add_option("--color", globals.color, "Colour messages: auto, always, never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->default_str("auto")
+      ->type_name("WHEN");
+  std::string manual_kind;
+  // For packagers: the man page and the completions are made from the options themselves.
+  app.add_option("--generate", manual_kind)
+      ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}))
+      ->group("");
+  add_info(app, globals);
+  add_check(app, globals);
+  add_fk(app, globals);
+  add_convert(app, globals);
+  add_diff(app, globals);
+  add_formats(app, globals);
+  for (int i = 1; i < argc; ++i) {
+    if (std::string_view(argv[i]).starts_with("--generate")) app.require_subcommand(0);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  }
+  if (!manual_kind.empty()) {
+    fmt::print("{}", manual(app, manual_kind));
+    return kDone;
+  }
+  const int exit_code = globals.run();
+  // What the system still held back may fail to be written, too.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "<stdout>: error[IO003]: cannot write\n");
+    return kIo;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace kinefile::cli
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early is a failed write
+  try {
+    return kinefile::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("kinefile: error[MEM001]: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "kinefile: error[INT001]: %s\n", error.what());
+  }
+  return kinefile::cli::kIo;
+}

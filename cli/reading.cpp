@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "command.hpp"
+#include "report.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+PositionMode position_mode(const std::string& word) {
+  if (word == "add") return PositionMode::Add;
+  return word == "auto" ? PositionMode::Auto : PositionMode::Replace;
+}
+
+std::string check_rate(const std::string& text) {
+  double rate = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, rate);
+  return is_number && rate > 0 && std::isfinite(rate) ? "" : "expected frames a second above 0";
+}
+
+std::vector<std::string> readable_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats()) {
+    if (format.read != nullptr) names.emplace_back(format.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void add_reading_options(CLI::App& command, Reading& reading) {
+  command.add_option("--from", reading.from, "Format of the input; else its content and name tell")
+      ->check(CLI::IsMember(readable_formats()))
+      ->type_name("FORMAT");
+  command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
+      ->check(check_rate)
+      ->type_name("RATE");
+  command
+      .add_option("--positions", reading.positions,
+                  "What BVH position channels do to OFFSET: replace it, add to it, or auto to "
+                  "decide from the first frames")
+      ->check(CLI::IsMember({"replace", "add", "auto"}))
+      ->default_str("replace")
+      ->type_name("MODE");
+  command
+      .add_option("--encoding", reading.encoding,
+                  "Encoding of the input; else byte order marks and its bytes tell")
+      ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
+      ->type_name("ENCODING");
+  command.add_flag("--lenient", reading.is_lenient,
+                   "Repair the faults that docs/errors.md names, with a warning each");
+  command.add_flag("--strict", reading.is_strict, "Take warnings for errors");
+}
+
+Result<Document> load_quietly(const std::string& path, const Reading& reading,
+                              Diagnostics& diagnostics) {
+  diagnostics.warnings_are_errors = reading.is_strict;
+  ReadOptions options;
+  options.lenient = reading.is_lenient;
+  options.encoding = reading.encoding;
+  options.positions = position_mode(reading.positions);
+  options.fps = reading.fps;
+  const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
+  return read_file(path, format, options, diagnostics);
+}
+
+std::optional<Document> load(const std::string& path, const Reading& reading,
+                             const Globals& globals, int& exit_code) {
+  Diagnostics diagnostics;
+  auto document = load_quietly(path, reading, diagnostics);
+  print_diagnostics(stderr, diagnostics, globals);
+  if (document) return std::move(*document);
+  if (!diagnostics.has_errors()) print_error(document.error(), globals);
+  exit_code = worse(exit_code, exit_code_of(document.error()));
+  return std::nullopt;
+}
+
+int usage_error(const Globals& globals, const std::string& message) {
+  print_error(make_error(ErrorKind::Usage, "CLI001", message), globals);
+  return kUsage;
+}
+
+}  // namespace kinefile::cli

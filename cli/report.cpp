@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace kinefile::cli {
+namespace {
+
+constexpr std::size_t kMostOfOneCode = 20;
+
+bool wants_color(std::FILE* stream, const Globals& globals) {
+  if (globals.color != "auto") return globals.color == "always";
+  const char* no_color = std::getenv("NO_COLOR");
+  return (no_color == nullptr || *no_color == '\0') && isatty(fileno(stream)) == 1;
+}
+
+std::string_view color_of(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "\x1b[36m";
+    case Severity::Warning:
+      return "\x1b[33m";
+    case Severity::Error:
+      return "\x1b[31m";
+  }
+  return "";
+}
+
+void print_one(std::FILE* stream, const Diagnostic& diagnostic, bool has_color) {
+  std::string text = to_string(diagnostic);
+  if (has_color) {
+    const std::string label =
+        fmt::format("{}[{}]", severity_name(diagnostic.severity), diagnostic.code);
+    const std::size_t at = text.find(label);
+    if (at != std::string::npos) {
+      text.insert(at + label.size(), "\x1b[0m");
+      text.insert(at, color_of(diagnostic.severity));
+    }
+  }
+  text += '\n';
+  std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+}  // namespace
+
+void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals) {
+  const bool has_color = wants_color(stream, globals);
+  std::vector<const Diagnostic*> sorted;
+  for (const Diagnostic& item : diagnostics.items()) {
+    if (globals.is_quiet && item.severity != Severity::Error) continue;
+    sorted.push_back(&item);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    return std::tie(a->place.line, a->place.column) < std::tie(b->place.line, b->place.column);
+  });
+  std::map<std::string, std::size_t> printed;
+  for (const Diagnostic* item : sorted) {
+    const std::size_t count = ++printed[item->code];
+    if (count <= kMostOfOneCode) print_one(stream, *item, has_color);
+    if (count != kMostOfOneCode + 1) continue;
+    const std::string more =
+        fmt::format("{}: {} of {} [{}] are shown\n", item->place.source, kMostOfOneCode,
+                    diagnostics.count_of(item->code), item->code);
+    std::fwrite(more.data(), 1, more.size(), stream);
+  }
+}
+
+void print_error(const Error& error, const Globals& globals) {
+  std::fflush(stdout);
+  print_one(stderr, error, wants_color(stderr, globals));
+}
+
+ExitCode exit_code_of(const Error& error) {
+  switch (error.kind) {
+    case ErrorKind::InvalidInput:
+      return kInvalid;
+    case ErrorKind::Io:
+      return kIo;
+    case ErrorKind::DataLoss:
+      return kDataLoss;
+    case ErrorKind::Usage:
+      return kUsage;
+  }
+  return kInvalid;
+}
+
+int worse(int a, int b) {
+  const auto rank = [](int code) { return code == kIo ? 100 : code; };
+  return rank(a) >= rank(b) ? a : b;
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,13 @@
+# What every target of ours is compiled with; headers of others are system headers.
+add_library(kinefile_compile_options INTERFACE)
+target_compile_options(kinefile_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+# A product and a sum are two roundings on every machine, whether it could fuse them or not: the same
+# file gives the same bits everywhere.
+target_compile_options(kinefile_compile_options INTERFACE -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 sees faults in Eigen's and the standard library's inlined code that are not there.
+  target_compile_options(kinefile_compile_options INTERFACE
+    -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+
+namespace kinefile {
+
+/// The largest of some differences, and where it is.
+struct LargestDifference {
+  double value = 0;
+  std::string joint;      ///< empty if nothing was compared
+  std::size_t frame = 0;  ///< of the first motion
+  double time = 0;        ///< seconds
+};
+
+/// How two motions differ in the world.
+struct MotionComparison {
+  LargestDifference distance;              ///< between joints, in the first motion's unit of length
+  LargestDifference tip_distance;          ///< between the tips of joints that have as many in both
+  LargestDifference rotation;              ///< between joints, in degrees
+  std::vector<std::string> only_in_first;  ///< joints that the other does not have
+  std::vector<std::string> only_in_second;
+  std::size_t num_frames_first = 0;
+  std::size_t num_frames_second = 0;
+};
+
+/// Compares where two motions put their joints. Joints are matched by name, repeated names in
+/// their order; each frame of the first is held against the frame of the second that is nearest
+/// in time. Where just one of two numbers is NaN, they differ by infinity.
+MotionComparison compare_motions(const Motion& first, const Motion& second);
+
+}  // namespace kinefile

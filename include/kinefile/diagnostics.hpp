@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinefile {
+
+enum class Severity {
+  Note,     ///< worth knowing; nothing is wrong
+  Warning,  ///< the file departs from its format; it was read as the message says
+  Error,    ///< the file cannot be read without losing or guessing something
+};
+
+/// Returns "note", "warning" or "error".
+std::string_view severity_name(Severity severity);
+
+/// A place in an input. Lines and columns count from 1; columns are UTF-8 bytes of the decoded
+/// line. Line 0 means the source as a whole.
+struct Place {
+  std::string source;
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+/// One thing that was noticed about an input.
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  std::string code;     ///< as listed in docs/errors.md, "BVH006"
+  std::string message;  ///< one sentence: what was expected, what was found
+  Place place;
+  std::string excerpt;    ///< the source line, or the part of a long one around the place
+  std::size_t caret = 0;  ///< byte offset in `excerpt` that the place points at
+};
+
+/// What went wrong, as far as a caller may want to act on it.
+enum class ErrorKind {
+  InvalidInput,  ///< the input breaks its format's rules
+  Io,            ///< a file could not be read or written
+  DataLoss,      ///< refused, because something in the input would be lost
+  Usage,         ///< what was asked for does not fit the input
+};
+
+/// A diagnostic that ended an operation.
+struct Error : Diagnostic {
+  ErrorKind kind = ErrorKind::InvalidInput;
+};
+
+/// Makes an error that has no place in a text.
+Error make_error(ErrorKind kind, std::string code, std::string message, std::string source = {});
+
+/// Collects what is noticed on the way. A parameter of every reader and writer, so that no caller
+/// overlooks it. Keeps at most `kMaxPerCode` diagnostics of one code and counts the rest, so that
+/// a hostile file cannot fill the memory with them.
+class Diagnostics {
+ public:
+  static constexpr std::size_t kMaxPerCode = 100'000;
+
+  /// Adds a diagnostic; a warning becomes an error if `warnings_are_errors`.
+  void add(Diagnostic diagnostic);
+
+  const std::vector<Diagnostic>& items() const { return items_; }
+  /// How many were added with this severity, those beyond `kMaxPerCode` included.
+  std::size_t count(Severity severity) const;
+  bool has_errors() const { return count(Severity::Error) > 0; }
+  /// How many of this code were added, those beyond `kMaxPerCode` included.
+  std::size_t count_of(const std::string& code) const;
+  /// The error that came first. Precondition: `has_errors()`.
+  Error first_error() const;
+
+  bool warnings_are_errors = false;  ///< `--strict`
+
+ private:
+  std::vector<Diagnostic> items_;
+  std::map<std::string, std::size_t> count_by_code_;
+  std::size_t count_by_severity_[3] = {0, 0, 0};
+};
+
+/// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, where
+/// there is one, the source line and a caret. No final newline.
+std::string to_string(const Diagnostic& diagnostic);
+
+}  // namespace kinefile

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+
+#include "kinefile/motion.hpp"
+
+namespace kinefile {
+
+/// What a format keeps beyond the model and needs to write the same file again, without the
+/// numbers: words for that format alone, by key. Another format drops them with a note.
+struct Extras {
+  std::map<std::string, std::string> file;                           ///< key to value
+  std::map<std::string, std::map<std::string, std::string>> joints;  ///< joint name, key to value
+};
+
+/// The content of a file: one of the kinds of the model.
+struct Document {
+  std::variant<Motion, Skeleton> content;
+  std::string format;  ///< the name of the format that it was read from, "bvh"
+  Extras extras;
+};
+
+/// The word for what a document holds: "motion" or "skeleton".
+std::string_view kind_name(const Document& document);
+
+/// The skeleton of a motion, or the skeleton itself.
+const Skeleton& skeleton_of(const Document& document);
+
+}  // namespace kinefile

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "kinefile/document.hpp"
+#include "kinefile/result.hpp"
+
+namespace kinefile {
+
+/// What a BVH position channel does to the same component of the joint's OFFSET. No file says it,
+/// and programs disagree: see docs/formats/bvh.md.
+enum class PositionMode {
+  Replace,  ///< the value stands instead of the component (Blender, bvhio)
+  Add,      ///< the value is added to it (three.js, PyMO)
+  Auto,     ///< decided from the first frames, with a note
+};
+
+/// How to read a file.
+struct ReadOptions {
+  std::string source_name = "<memory>";  ///< how diagnostics call the input
+  bool lenient = false;                  ///< repair what docs/errors.md names, with a warning each
+  std::string encoding;  ///< "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect
+  PositionMode positions = PositionMode::Replace;
+  std::optional<double> fps;  ///< overrides the file's frame rate, or says what it does not
+};
+
+/// How to write a file.
+struct WriteOptions {
+  std::optional<int> decimals;  ///< digits after the point; absent: the shortest exact form
+  bool lenient = false;         ///< go on where something would be lost, with a warning
+};
+
+/// Takes the next piece of the output; returns false to stop.
+using Sink = std::function<bool(std::string_view)>;
+
+/// A file format: what it is called and how it is read and written.
+struct Format {
+  std::string_view name;
+  std::string_view description;
+  std::span<const std::string_view> extensions;  ///< with the dot, lower case, the usual one first
+
+  /// Tells whether a file that starts with these bytes is surely of this format; null: never.
+  bool (*probe)(std::string_view head);
+
+  /// Reads a document; null where the format is only written. On failure every error is in
+  /// `diagnostics`, and the first of them is returned.
+  Result<Document> (*read)(std::string_view bytes, const ReadOptions&, Diagnostics&);
+
+  /// Writes a document; null where the format is only read.
+  Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&);
+};
+
+/// Every format, in the order in which they are probed and listed.
+std::span<const Format> formats();
+
+/// The format of this name, or null.
+const Format* find_format(std::string_view name);
+
+/// The format that a file's first bytes show, else the one that its name's extension does, else
+/// null.
+const Format* detect_format(std::string_view head, std::string_view file_name);
+
+/// The format that a file's name shows by its extension, or null.
+const Format* format_of_name(std::string_view file_name);
+
+}  // namespace kinefile

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "kinefile/format.hpp"
+
+namespace kinefile {
+
+/// The bytes of a file, mapped where the system can, and alive as long as this is.
+class FileBytes {
+ public:
+  /// Reads a file, or standard input for "-".
+  /// \errors IO001 if it cannot be read
+  static Result<FileBytes> open(const std::string& path);
+
+  std::string_view view() const { return view_; }
+
+ private:
+  std::shared_ptr<const void> owner_;
+  std::string_view view_;
+};
+
+/// Reads a document from a file.
+/// \param path    "-" is standard input; diagnostics then call it <stdin>
+/// \param format  null: found from the content, then from the extension
+/// \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the reader's
+Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
+                           Diagnostics& diagnostics);
+
+/// A file that appears whole or not at all: written to a temporary name beside it, synced, and
+/// renamed by `commit`. Destroyed before that, it leaves nothing behind.
+class OutputFile {
+ public:
+  /// \param path     "-" is standard output, which is written at once
+  /// \param replace  whether an existing file may be replaced
+  /// \errors IO002 if it exists and may not be replaced, IO003 if it cannot be written
+  static Result<OutputFile> create(const std::string& path, bool replace);
+
+  OutputFile(OutputFile&&) noexcept;
+  OutputFile& operator=(OutputFile&&) noexcept;
+  ~OutputFile();
+
+  /// Appends bytes; false after a fault, which `commit` reports.
+  bool write(std::string_view bytes);
+
+  /// Brings the file to its name. \errors IO003
+  Result<void> commit();
+
+ private:
+  struct State;
+  explicit OutputFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Writes a document to a file, whole or not at all.
+/// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
+Result<void> write_file(const std::string& path, const Document& document, const Format& format,
+                        const WriteOptions& options, bool replace, Diagnostics& diagnostics);
+
+}  // namespace kinefile

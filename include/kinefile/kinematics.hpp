@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+#include "kinefile/world_poses.hpp"
+
+namespace kinefile {
+
+/// Which frames to place and what to tell of them, beside the positions.
+struct KinematicsOptions {
+  std::size_t first_frame = 0;
+  std::size_t num_frames = std::numeric_limits<std::size_t>::max();  ///< as many as there are
+  bool rotations = false;
+  bool directions = false;
+  bool tips = false;
+};
+
+/// Places every joint in the world, for every frame asked for.
+/// \param skeleton  valid (see `validate`)
+/// \param clip      values in the skeleton's units; as many columns as it has coordinates
+/// \returns         world_from_joint; row 0 is `options.first_frame`
+/// Column vectors, right-handed: world_from_joint = world_from_parent * parent_from_joint.
+/// Values that are not finite give poses that are not; a free joint's quaternion is normalised.
+/// Source: the format document's worked example; Meredith and Maddock, "Motion Capture File
+/// Formats Explained", section 3.
+WorldPoses forward_kinematics(const Skeleton& skeleton, const Clip& clip,
+                              const KinematicsOptions& options = {});
+
+/// Places every joint in its parent's frame. As `forward_kinematics`, but parent_from_joint;
+/// tips are in the parent's frame of their joint, too.
+LocalPoses local_poses(const Skeleton& skeleton, const Clip& clip,
+                       const KinematicsOptions& options = {});
+
+/// A clip of one frame, in which every coordinate has its rest value.
+Clip rest_clip(const Skeleton& skeleton);
+
+/// The unit vectors along the bones in the joints' own frames; shape (joints). One child: its
+/// rest offset; several: the mean of theirs; none: the mean of the tips' offsets; (0, 1, 0) where
+/// that has no length.
+/// Source: bvhio's `Joint.getTip`, as the format document prints it (UpWorld).
+std::vector<Vec3> bone_directions(const Skeleton& skeleton);
+
+/// An axis-aligned box; empty while `min` is above `max`.
+struct Box {
+  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
+};
+
+/// The box around all joints and tips over all frames, in the skeleton's unit of length. Positions
+/// that are not finite are left out.
+Box world_extent(const Skeleton& skeleton, const Clip& clip);
+
+}  // namespace kinefile

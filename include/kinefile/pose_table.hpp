@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kinefile/format.hpp"
+#include "kinefile/world_poses.hpp"
+
+namespace kinefile {
+
+/// What a table of poses shows.
+struct PoseTable {
+  const Skeleton* skeleton = nullptr;
+  const Timeline* timeline = nullptr;
+  std::vector<std::size_t> joints;  ///< which ones, in skeleton order
+  std::size_t frame_step = 1;       ///< every so many rows of the poses
+  bool rotations = false;
+  bool directions = false;
+  bool tips = false;
+  double length_scale = 1;  ///< lengths are multiplied by this
+};
+
+/// Writes the header of a CSV table: `frame,time,joint,x,y,z`, then `qw,qx,qy,qz` and `ux,uy,uz`
+/// as asked.
+bool write_pose_csv_header(const PoseTable& table, const Sink& sink);
+
+/// Writes one CSV row a frame and joint; a tip's row follows its joint's and repeats its rotation
+/// and direction. Returns false if the sink did.
+/// \param poses  with the arrays that `table` asks for
+bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink& sink);
+
+/// Writes a JSON object: `joints` (tips among them), `frames`, `times`, `positions`
+/// [frame][joint][3], and as asked `rotations` [frame][joint][4] and `directions`
+/// [frame][joint][3]. Returns false if the sink did.
+bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink& sink);
+
+}  // namespace kinefile

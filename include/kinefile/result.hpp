@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tl/expected.hpp>
+#include <utility>
+
+#include "kinefile/diagnostics.hpp"
+
+namespace kinefile {
+
+/// A value or an `Error`. Unlike the class it stands on, it cannot be dropped unseen.
+template <class T>
+class [[nodiscard]] Result : public tl::expected<T, Error> {
+ public:
+  using tl::expected<T, Error>::expected;
+};
+
+/// Turns an error into the failed state of any `Result`.
+inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
+
+}  // namespace kinefile

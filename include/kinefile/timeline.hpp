@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kinefile {
+
+/// When the frames of a clip happen, as the file said it.
+struct Timeline {
+  enum class Given {
+    FrameTime,  ///< `value` is the seconds from one frame to the next
+    FrameRate,  ///< `value` is frames a second
+  };
+  Given given = Given::FrameTime;
+  double value = 1.0 / 30;
+  std::int64_t first_frame_number = 0;  ///< what the file calls its first frame; we count from 0
+  std::vector<double> times;  ///< seconds, one a frame, where frames carry times of their own
+};
+
+/// Seconds from one frame to the next.
+double frame_time(const Timeline& timeline);
+
+/// Frames a second.
+double frame_rate(const Timeline& timeline);
+
+/// The time of a frame in seconds: frame x frame time, never accumulated; or the frame's own time.
+double time_of_frame(const Timeline& timeline, std::size_t frame);
+
+/// (frames - 1) x frame time, in seconds; 0 without frames.
+double duration(const Timeline& timeline, std::size_t num_frames);
+
+}  // namespace kinefile

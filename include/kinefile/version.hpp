@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace kinefile {
+
+/// The version of the library, "major.minor.patch" (https://semver.org).
+inline constexpr char kVersion[] = "0.1.0";
+
+}  // namespace kinefile

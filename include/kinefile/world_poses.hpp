@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace kinefile {
+
+/// Poses of all joints over some frames. Arrays that were not asked for are empty.
+struct PoseArrays {
+  std::size_t first_frame = 0;  ///< the clip's frame that row 0 stands for
+  std::size_t num_frames = 0;
+  std::size_t num_joints = 0;
+  std::size_t num_tips = 0;
+  std::vector<double> positions;   ///< [frame][joint][3], in the skeleton's unit of length
+  std::vector<double> rotations;   ///< [frame][joint][4], unit quaternions w x y z, w >= 0
+  std::vector<double> directions;  ///< [frame][joint][3], unit vectors along the bones
+  std::vector<double> tips;        ///< [frame][tip][3], the tips of joint 0 first
+};
+
+/// Poses in the world: world_from_joint.
+struct WorldPoses : PoseArrays {};
+
+/// Poses in the frame of each joint's parent: parent_from_joint; a root's parent is the world.
+struct LocalPoses : PoseArrays {};
+
+}  // namespace kinefile

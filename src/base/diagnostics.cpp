@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace kinefile {
+
+std::string_view severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
+
+Error make_error(ErrorKind kind, std::string code, std::string message, std::string source) {
+  Error error;
+  error.kind = kind;
+  error.code = std::move(code);
+  error.message = std::move(message);
+  error.place.source = std::move(source);
+  return error;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+  if (warnings_are_errors && diagnostic.severity == Severity::Warning) {
+    diagnostic.severity = Severity::Error;
+  }
+  ++count_by_severity_[static_cast<std::size_t>(diagnostic.severity)];
+  if (++count_by_code_[diagnostic.code] <= kMaxPerCode) {
+    items_.push_back(std::move(diagnostic));
+  }
+}
+
+std::size_t Diagnostics::count(Severity severity) const {
+  return count_by_severity_[static_cast<std::size_t>(severity)];
+}
+
+std::size_t Diagnostics::count_of(const std::string& code) const {
+  const auto found = count_by_code_.find(code);
+  return found == count_by_code_.end() ? 0 : found->second;
+}
+
+Error Diagnostics::first_error() const {
+  const auto found = std::find_if(items_.begin(), items_.end(), [](const Diagnostic& item) {
+    return item.severity == Severity::Error;
+  });
+  assert(found != items_.end());
+  Error error;
+  static_cast<Diagnostic&>(error) = *found;
+  return error;
+}
+
+namespace {
+
+/// Whether a terminal gives this code point two columns: the East Asian scripts, roughly.
+bool is_wide(char32_t c) {
+  return (c >= 0x1100 && c <= 0x115F) || (c >= 0x2E80 && c <= 0xA4CF) ||
+         (c >= 0xAC00 && c <= 0xD7A3) || (c >= 0xF900 && c <= 0xFAFF) ||
+         (c >= 0xFF00 && c <= 0xFF60) || (c >= 0x20000 && c <= 0x3FFFD);
+}
+
+/// Blanks as wide as `text` looks on a terminal; tabs stay tabs.
+std::string blanks_for(std::string_view text) {
+  std::string blanks;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    char32_t c = length == 1 ? lead : lead & (0x7Fu >> length);
+    for (std::size_t k = 1; k < length && i + k < text.size(); ++k) {
+      c = (c << 6) | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+    }
+    blanks += c == '\t' ? "\t" : is_wide(c) ? "  " : " ";
+    i += length;
+  }
+  return blanks;
+}
+
+}  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) {
+  const Place& place = diagnostic.place;
+  std::string text = place.source;
+  if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
+  if (!text.empty()) text += ": ";
+  text += fmt::format("{}[{}]: {}", severity_name(diagnostic.severity), diagnostic.code,
+                      diagnostic.message);
+  if (place.line > 0) {
+    const std::string_view before =
+        std::string_view(diagnostic.excerpt).substr(0, diagnostic.caret);
+    text += fmt::format("\n  {}\n  {}^", diagnostic.excerpt, blanks_for(before));
+  }
+  return text;
+}
+
+}  // namespace kinefile

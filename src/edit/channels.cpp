@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/edit.hpp"
+
+namespace kinefile {
+namespace {
+
+/// The axis of x, y, z that a degree of freedom is about or along.
+std::optional<std::size_t> axis_of(const DegreeOfFreedom& dof) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (dof.axis == Vec3::Unit(static_cast<Eigen::Index>(k))) return k;
+  }
+  return std::nullopt;
+}
+
+std::vector<DegreeOfFreedom> rotations_of(const Joint& joint) {
+  std::vector<DegreeOfFreedom> rotations;
+  std::copy_if(joint.dofs.begin(), joint.dofs.end(), std::back_inserter(rotations),
+               [](const DegreeOfFreedom& dof) { return dof.kind == DofKind::Rotation; });
+  return rotations;
+}
+
+/// Whether the rotations are about axes in the sequence of an order: all of it, or a part.
+bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOrder& order) {
+  std::size_t next = 0;
+  for (const DegreeOfFreedom& dof : rotations) {
+    while (next < 3 && order[next] != *axis_of(dof)) ++next;
+    if (next == 3) return false;
+    ++next;
+  }
+  return true;
+}
+
+/// A column of the new clip.
+struct NewColumn {
+  enum class From { Column, Constant, Angle } from = From::Column;
+  std::size_t column = 0;  ///< of the old clip
+  double constant = 0;
+  std::size_t angle = 0;  ///< which of the joint's three new angles
+};
+
+/// How one joint's channels are made from its old ones.
+struct JointChange {
+  std::vector<NewColumn> columns;
+  std::vector<std::string> channels;
+  std::vector<DegreeOfFreedom> dofs;  ///< their coordinates count within `columns`
+  Vec3 offset = Vec3::Zero();
+  bool has_new_angles = false;
+  std::vector<DegreeOfFreedom> old_rotations;
+  EulerAxes axes;
+};
+
+struct Context {
+  const Motion& motion;
+  const ChannelOptions& options;
+  Diagnostics& diagnostics;
+};
+
+/// The one value that a column has in every frame, bit for bit, if it does not change.
+std::optional<double> constant_of(const Clip& clip, std::size_t column, double rest) {
+  if (clip.num_frames == 0) return rest;
+  const double first = clip.row(0)[column];
+  for (std::size_t f = 1; f < clip.num_frames; ++f) {
+    if (clip.row(f)[column] != first) return std::nullopt;
+  }
+  return std::isfinite(first) ? std::optional(first) : std::nullopt;
+}
+
+void add_column(JointChange& change, NewColumn column, std::string channel,
+                std::optional<DegreeOfFreedom> dof) {
+  if (dof) {
+    dof->coordinate = change.columns.size();
+    change.dofs.push_back(*dof);
+  }
+  change.columns.push_back(column);
+  change.channels.push_back(std::move(channel));
+}
+
+/// Puts what position channels do into the offset, where they do not change.
+Result<void> drop_positions(const Context& context, const Joint& joint, JointChange& change) {
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Translation) continue;
+    auto constant = constant_of(context.motion.clip, dof.coordinate, dof.rest);
+    if (!constant) {
+      Error error = make_error(
+          ErrorKind::DataLoss, "EDT001",
+          fmt::format("joint '{}' moves along {}, which is lost without its position channels",
+                      joint.name, "xyz"[*axis_of(dof)]));
+      if (!context.options.lenient) return fail(std::move(error));
+      error.severity = Severity::Warning;
+      error.message += "; its rest position is taken";
+      context.diagnostics.add(std::move(error));
+      constant = dof.rest;
+    }
+    change.offset += *constant * dof.axis;
+  }
+  return {};
+}
+
+/// Keeps the joint's position channels and adds those that it lacks: they stand in the place of
+/// the offset's component, or are added to it as the joint's other ones are.
+void complete_positions(const Joint& joint, JointChange& change) {
+  const bool is_added =
+      std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
+        return dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0;
+      });
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const auto found =
+        std::find_if(joint.dofs.begin(), joint.dofs.end(), [k](const DegreeOfFreedom& dof) {
+          return dof.kind == DofKind::Translation && axis_of(dof) == k;
+        });
+    std::string channel = channel_name(DofKind::Translation, k);
+    if (found != joint.dofs.end()) {
+      add_column(change, {NewColumn::From::Column, found->coordinate, 0, 0}, channel, *found);
+      continue;
+    }
+    const double value = is_added ? 0 : std::exchange(change.offset[axis], 0.0);
+    add_column(change, {NewColumn::From::Constant, 0, value, 0}, channel,
+               DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, value});
+  }
+}
+
+/// Adds three rotations: the joint's own where they are in order, else angles to be found.
+void add_rotations(const Joint& joint, const RotationOrder& order, JointChange& change) {
+  change.old_rotations = rotations_of(joint);
+  const bool is_kept = is_in_order(change.old_rotations, order);
+  change.has_new_angles = !is_kept;
+  std::size_t next_old = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(order[k]);
+    change.axes[k] = Vec3::Unit(axis);
+    NewColumn column{NewColumn::From::Angle, 0, 0, k};
+    if (is_kept) column.from = NewColumn::From::Constant;
+    if (is_kept && next_old < change.old_rotations.size() &&
+        axis_of(change.old_rotations[next_old]) == order[k]) {
+      column = {NewColumn::From::Column, change.old_rotations[next_old].coordinate, 0, 0};
+      ++next_old;
+    }
+    add_column(change, column, channel_name(DofKind::Rotation, order[k]),
+               DegreeOfFreedom{DofKind::Rotation, change.axes[k], 0, 0});
+  }
+}
+
+/// Keeps the columns of a joint that are neither positions nor rotations.
+void keep_others(const Context& context, std::size_t joint_index, JointChange& change) {
+  const Skeleton& skeleton = context.motion.skeleton;
+  const Joint& joint = skeleton.joints[joint_index];
+  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
+    if (skeleton.coordinates[c].joint != joint_index) continue;
+    const auto found =
+        std::find_if(joint.dofs.begin(), joint.dofs.end(),
+                     [c](const DegreeOfFreedom& dof) { return dof.coordinate == c; });
+    const bool is_read = found != joint.dofs.end();
+    if (is_read && (found->kind == DofKind::Translation || found->kind == DofKind::Rotation)) {
+      continue;
+    }
+    add_column(change, {NewColumn::From::Column, c, 0, 0}, skeleton.coordinates[c].channel,
+               is_read ? std::optional(*found) : std::nullopt);
+  }
+}
+
+/// Keeps all columns of a joint as they are.
+JointChange unchanged(const Context& context, std::size_t joint_index) {
+  const Skeleton& skeleton = context.motion.skeleton;
+  const Joint& joint = skeleton.joints[joint_index];
+  JointChange change;
+  change.offset = joint.offset;
+  change.dofs = joint.dofs;
+  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
+    if (skeleton.coordinates[c].joint != joint_index) continue;
+    for (std::size_t d = 0; d < joint.dofs.size(); ++d) {
+      if (joint.dofs[d].coordinate == c) change.dofs[d].coordinate = change.columns.size();
+    }
+    change.columns.push_back({NewColumn::From::Column, c, 0, 0});
+    change.channels.push_back(skeleton.coordinates[c].channel);
+  }
+  return change;
+}
+
+/// The order that a joint turns in, if it has three rotations that are one.
+std::optional<RotationOrder> own_order(const Joint& joint) {
+  const auto rotations = rotations_of(joint);
+  if (rotations.size() != 3) return std::nullopt;
+  const RotationOrder order = {*axis_of(rotations[0]), *axis_of(rotations[1]),
+                               *axis_of(rotations[2])};
+  if (order[0] == order[1] || order[1] == order[2]) return std::nullopt;
+  return order;
+}
+
+Result<JointChange> plan_change(const Context& context, std::size_t joint_index) {
+  const Joint& joint = context.motion.skeleton.joints[joint_index];
+  const PositionChannels positions = context.options.positions;
+  const bool is_as_is = positions == PositionChannels::AsIs;
+  constexpr RotationOrder kUsual = {2, 0, 1};
+  const RotationOrder order = context.options.order.value_or(own_order(joint).value_or(kUsual));
+  const auto rotations = rotations_of(joint);
+  if (is_as_is && (rotations.size() <= 1 || is_in_order(rotations, order))) {
+    return unchanged(context, joint_index);
+  }
+  JointChange change;
+  change.offset = joint.offset;
+  const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
+  if (is_as_is) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Translation) continue;
+      add_column(change, {NewColumn::From::Column, dof.coordinate, 0, 0},
+                 channel_name(DofKind::Translation, *axis_of(dof)), dof);
+    }
+  } else if (has_positions) {
+    complete_positions(joint, change);
+  } else if (auto dropped = drop_positions(context, joint, change); !dropped) {
+    return fail(std::move(dropped.error()));
+  }
+  add_rotations(joint, order, change);
+  keep_others(context, joint_index, change);
+  return change;
+}
+
+/// The rotation that a joint's old angles make in one frame.
+Mat3 rotation_in(const std::vector<DegreeOfFreedom>& rotations, std::span<const double> row,
+                 double radians_per_unit) {
+  Mat3 product = Mat3::Identity();
+  for (const DegreeOfFreedom& dof : rotations) {
+    product = product * Eigen::AngleAxisd(row[dof.coordinate] * radians_per_unit, dof.axis);
+  }
+  return product;
+}
+
+void fill_columns(const Motion& source, const JointChange& change, std::size_t first_column,
+                  Clip& out) {
+  const double unit = source.skeleton.angle_unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
+  Vec3 angles = Vec3::Zero();
+  for (std::size_t f = 0; f < source.clip.num_frames; ++f) {
+    const auto row = source.clip.row(f);
+    if (change.has_new_angles) {
+      angles = euler_angles(rotation_in(change.old_rotations, row, unit), change.axes, angles);
+    }
+    for (std::size_t c = 0; c < change.columns.size(); ++c) {
+      const NewColumn& column = change.columns[c];
+      double& value = out.row(f)[first_column + c];
+      if (column.from == NewColumn::From::Column) value = row[column.column];
+      if (column.from == NewColumn::From::Constant) value = column.constant;
+      if (column.from == NewColumn::From::Angle) {
+        value = angles[static_cast<Eigen::Index>(column.angle)] / unit;
+      }
+    }
+  }
+}
+
+/// What keeps a joint from being given other channels, or an empty text.
+std::string_view obstacle_of(const Skeleton& skeleton, std::size_t joint_index) {
+  for (const DegreeOfFreedom& dof : skeleton.joints[joint_index].dofs) {
+    if (dof.kind == DofKind::Free) return "moves freely";
+    if (!axis_of(dof)) return "moves about an axis other than x, y and z";
+    if (skeleton.coordinates[dof.coordinate].joint != joint_index) return "shares a column";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
+  if (text.size() != 3) return std::nullopt;
+  RotationOrder order{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t axis = std::string_view("XYZxyz").find(text[k]);
+    if (axis == std::string_view::npos) return std::nullopt;
+    order[k] = axis % 3;
+  }
+  if (order[0] == order[1] || order[1] == order[2]) return std::nullopt;
+  return order;
+}
+
+Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
+                             Diagnostics& diagnostics) {
+  const Context context{motion, options, diagnostics};
+  Motion result;
+  result.skeleton = motion.skeleton;
+  result.skeleton.coordinates.clear();
+  std::vector<JointChange> changes;
+  std::vector<std::size_t> first_columns;
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    if (const auto obstacle = obstacle_of(motion.skeleton, j); !obstacle.empty()) {
+      return fail(make_error(ErrorKind::Usage, "EDT002",
+                             fmt::format("joint '{}' {}, so it cannot be given other channels",
+                                         motion.skeleton.joints[j].name, obstacle)));
+    }
+    auto change = plan_change(context, j);
+    if (!change) return fail(std::move(change.error()));
+    const std::size_t first = result.skeleton.coordinates.size();
+    for (const std::string& channel : change->channels) {
+      result.skeleton.coordinates.push_back({j, channel});
+    }
+    Joint& joint = result.skeleton.joints[j];
+    joint.offset = change->offset;
+    joint.dofs = change->dofs;
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate += first;
+    first_columns.push_back(first);
+    changes.push_back(std::move(*change));
+  }
+  result.clip.timeline = motion.clip.timeline;
+  result.clip.num_frames = motion.clip.num_frames;
+  result.clip.num_coordinates = result.skeleton.coordinates.size();
+  result.clip.values.resize(result.clip.num_frames * result.clip.num_coordinates);
+  for (std::size_t j = 0; j < changes.size(); ++j) {
+    fill_columns(motion, changes[j], first_columns[j], result.clip);
+  }
+  return result;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "formats/bvh/format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "formats/bvh/bind.hpp"
+#include "formats/bvh/codes.hpp"
+#include "formats/bvh/parser.hpp"
+#include "formats/bvh/print.hpp"
+#include "text/decode.hpp"
+
+namespace kinefile::bvh {
+namespace {
+
+constexpr std::array<std::string_view, 1> kExtensions = {".bvh"};
+
+bool probe(std::string_view head) {
+  Diagnostics ignored;
+  const auto decoded = text::decode(head, {}, {}, ignored);
+  if (!decoded) return false;
+  text::Scanner scanner(decoded->view());
+  while (scanner.peek().starts_with('#')) scanner.take_line();
+  const std::string_view word = scanner.peek();
+  return text::equals_ignoring_case(word, "HIERARCHY") || text::equals_ignoring_case(word, "ROOT");
+}
+
+/// The line end that a text uses, by its first line.
+std::string_view line_end_of(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string_view::npos || text[end] == '\n') return "lf";
+  return end + 1 < text.size() && text[end + 1] == '\n' ? "crlf" : "cr";
+}
+
+/// Settles how position channels are meant, and says so where the file does not make it plain.
+PositionMode settle_positions(const File& file, const text::Source& source, PositionMode asked,
+                              Diagnostics& diagnostics) {
+  const PositionGuess guess = guess_positions(file);
+  const auto name = [](PositionMode mode) { return mode == PositionMode::Add ? "add" : "replace"; };
+  const auto note = [&](const char* code, std::string message) {
+    const char* at = file.nodes.front().name.data();
+    diagnostics.add(source.diagnose(Severity::Note, code, std::move(message), at));
+  };
+  if (asked == PositionMode::Auto) {
+    note(code::kPositionsChosen,
+         fmt::format("positions are read as --positions {}: {}", name(guess.mode), guess.reason));
+    return guess.mode;
+  }
+  if (guess.is_known && guess.mode != asked) {
+    note(code::kPositionsDoubtful,
+         fmt::format("positions are read as --positions {}, but look like {}: {}", name(asked),
+                     name(guess.mode), guess.reason));
+  }
+  return asked;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) return fail(std::move(decoded.error()));
+  std::string_view view = decoded->view();
+  // The end-of-file character of CP/M and DOS.
+  while (view.ends_with('\x1A')) view.remove_suffix(1);
+  const text::Source source(options.source_name, view);
+  File file = parse(source, {options.lenient, options.fps.has_value()}, diagnostics);
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+
+  const bool has_motion = file.has_motion;
+  const PositionMode mode = settle_positions(file, source, options.positions, diagnostics);
+  Document document;
+  document.format = "bvh";
+  document.extras.file["encoding"] = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  document.extras.file["line_end"] = line_end_of(view);
+  document.extras.file["positions"] = mode == PositionMode::Add ? "add" : "replace";
+  Motion motion = bind(std::move(file), mode);
+  if (options.fps) motion.clip.timeline = {Timeline::Given::FrameRate, *options.fps, 0, {}};
+  if (has_motion) {
+    document.content = std::move(motion);
+  } else {
+    document.content = std::move(motion.skeleton);
+  }
+  return document;
+}
+
+/// Whether the position channels of some joint are added to an OFFSET, which a reader that
+/// replaces it would place elsewhere.
+bool has_added_positions(const Skeleton& skeleton) {
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0) return true;
+    }
+  }
+  return false;
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics& diagnostics) {
+  const Skeleton& skeleton = skeleton_of(document);
+  auto unbound = unbind(skeleton);
+  if (!unbound) return fail(std::move(unbound.error()));
+  if (has_added_positions(skeleton)) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = code::kPositionsAdded;
+    note.message =
+        "position values are written as they are, to be added to OFFSET; read the file "
+        "with --positions add";
+    diagnostics.add(std::move(note));
+  }
+  const auto kept = document.extras.file.find("line_end");
+  const bool is_ours = document.format == "bvh" && kept != document.extras.file.end();
+  const std::string_view line_end = is_ours && kept->second == "crlf" ? "\r\n" : "\n";
+  text::Printer printer(sink, options.decimals);
+  print_hierarchy(printer, unbound->file, line_end);
+  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
+    print_motion(printer, *unbound, motion->clip, line_end);
+  }
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Format format() {
+  return {"bvh", "Biovision Hierarchy: skeleton and motion", kExtensions, probe, read, write};
+}
+
+}  // namespace kinefile::bvh

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formats/bvh/codes.hpp"
+#include "formats/bvh/parser.hpp"
+#include "text/numbers.hpp"
+
+namespace kinefile::bvh {
+namespace {
+
+using text::NumberFault;
+using text::NumberRow;
+using text::quoted;
+using text::RowEnd;
+
+/// The shortest number and its blank: "0 ".
+constexpr std::size_t kBytesPerNumber = 2;
+
+struct Rows {
+  Parser& parser;
+  std::optional<std::size_t> claim;
+  const char* claim_at;
+  std::size_t num_columns;
+  std::vector<double> row;          ///< the row at hand; `values` takes it as one block
+  std::size_t num_seen = 0;         ///< rows met so far, faulty ones too
+  bool is_stream_refuted = false;   ///< the numbers do not add up, so rows end with their lines
+  const char* known_row = nullptr;  ///< the last place at which a row was found ahead
+
+  File& file() { return parser.file; }
+  const char* end() const { return parser.source.end(); }
+  void keep_row() {
+    file().values.insert(file().values.end(), row.begin(), row.end());
+    ++file().num_frames;
+  }
+};
+
+/// As many rows as the rest of the file could hold if every number were one digit.
+std::size_t most_rows(const Rows& rows, const char* begin) {
+  const auto num_bytes = static_cast<std::size_t>(rows.end() - begin);
+  return num_bytes / (kBytesPerNumber * std::max<std::size_t>(rows.num_columns, 1)) + 1;
+}
+
+/// A count that is far beyond the file: not a clip that was cut short, but a wrong number.
+void check_claim(Rows& rows, const char* begin) {
+  constexpr std::size_t kFarTooMany = 1000;
+  constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB of doubles
+  const std::size_t most = most_rows(rows, begin);
+  if (!rows.claim || *rows.claim <= most) return;
+  const std::size_t num_columns = std::max<std::size_t>(rows.num_columns, 1);
+  if (*rows.claim / kFarTooMany < most && *rows.claim < kManyNumbers / num_columns) return;
+  rows.parser.repair(code::kImpossibleCount,
+                     fmt::format("expected {} frames of {} numbers, found {} bytes, which hold {} "
+                                 "at the most",
+                                 *rows.claim, rows.num_columns, rows.end() - begin, most),
+                     "the rows that are there are read", rows.claim_at);
+  rows.claim.reset();
+}
+
+/// Makes room for the rows that the length of the first line promises. The count in the file is
+/// used only where the file could hold as many.
+void reserve_rows(Rows& rows, const char* begin) {
+  const auto num_bytes = static_cast<std::size_t>(rows.end() - begin);
+  const char* line = std::find_if_not(begin, rows.end(), text::is_line_end);
+  const char* line_end = std::find_if(line, rows.end(), text::is_line_end);
+  const auto line_bytes = static_cast<std::size_t>(line_end - line) + 1;
+  const std::size_t num_likely = num_bytes / line_bytes + num_bytes / line_bytes / 16 + 1;
+  const std::size_t num_rows =
+      rows.claim ? *rows.claim : std::min(num_likely, most_rows(rows, begin));
+  rows.file().values.reserve(std::min(num_rows, most_rows(rows, begin)) * rows.num_columns);
+}
+
+/// Reads a token that the row reader left: a word for what is not finite, or no number at all.
+std::optional<double> parse_odd_token(Parser& parser, std::string_view token) {
+  const text::Number number = text::parse_number(token);
+  if (number.fault == NumberFault::None && !std::isfinite(number.value)) {
+    parser.report(Severity::Warning, code::kNotFinite,
+                  fmt::format("expected a finite number, found {}; it is kept", quoted(token)),
+                  token.data());
+    return number.value;
+  }
+  return parse_value(parser, token, code::kNotANumber, "a number");
+}
+
+/// What a row was that the fast path could not take.
+struct OddRow {
+  std::size_t num_tokens = 0;
+  const char* first_extra = nullptr;  ///< the first token beyond the columns
+  const char* line_end = nullptr;
+  bool is_good = true;  ///< every token is a number
+};
+
+/// Reads the line at the scanner token by token into `rows.row`.
+OddRow read_odd_row(Rows& rows) {
+  OddRow odd;
+  text::Scanner& scanner = rows.parser.scanner;
+  while (true) {
+    const std::string_view token = scanner.take_in_line();
+    if (token.empty()) break;
+    const auto value = parse_odd_token(rows.parser, token);
+    odd.is_good &= value.has_value();
+    if (odd.num_tokens < rows.num_columns) rows.row[odd.num_tokens] = value.value_or(0);
+    if (odd.num_tokens == rows.num_columns) odd.first_extra = token.data();
+    ++odd.num_tokens;
+  }
+  odd.line_end = scanner.position();
+  return odd;
+}
+
+std::size_t count_tokens_in_line(const Rows& rows, const char* begin) {
+  text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
+  std::size_t count = 0;
+  while (!scanner.take_in_line().empty()) ++count;
+  return count;
+}
+
+/// Whether from here on there are just the numbers that the count of frames still asks for,
+/// however they are broken into lines. Asked once: the answer for a later line would be the same.
+bool is_stream(Rows& rows, const char* begin) {
+  if (std::exchange(rows.is_stream_refuted, true)) return false;
+  if (!rows.claim || *rows.claim <= rows.parser.file.num_frames) return false;
+  if (*rows.claim > most_rows(rows, rows.parser.source.text().data())) return false;
+  const std::size_t num_missing = (*rows.claim - rows.parser.file.num_frames) * rows.num_columns;
+  text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
+  std::size_t count = 0;
+  for (std::string_view token = scanner.take(); !token.empty(); token = scanner.take()) {
+    if (text::parse_number(token).fault != NumberFault::None) return false;
+    if (++count > num_missing) return false;
+  }
+  return count == num_missing;
+}
+
+/// Reads all numbers up to the end of the text, line ends notwithstanding. Only after `is_stream`.
+void read_stream(Rows& rows, const char* begin) {
+  rows.parser.report(
+      Severity::Warning, code::kReadAsStream,
+      fmt::format("expected a row of {} numbers, found {}; since the rest holds just "
+                  "the numbers of {} frames, line ends are passed over",
+                  rows.num_columns, count_tokens_in_line(rows, begin),
+                  *rows.claim - rows.file().num_frames),
+      begin);
+  std::vector<double>& values = rows.file().values;
+  const char* p = begin;
+  while (p != rows.end()) {
+    const NumberRow part = text::read_number_row(p, rows.end(), rows.row.data(), rows.row.size());
+    values.insert(values.end(), rows.row.data(), rows.row.data() + part.count);
+    p = part.next;
+    if (part.end != RowEnd::BadToken) continue;
+    rows.parser.scanner.move_to(p);
+    const auto value = parse_odd_token(rows.parser, rows.parser.scanner.take_in_line());
+    if (value) values.push_back(*value);
+    p = rows.parser.scanner.position();
+  }
+  rows.file().num_frames = *rows.claim;
+}
+
+/// Whether some line from here on starts with a number. What is found is remembered, so that all
+/// calls together walk over the text once.
+bool has_row(Rows& rows, const char* begin) {
+  if (rows.known_row != nullptr && begin <= rows.known_row) return true;
+  text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
+  while (true) {
+    const std::string_view word = scanner.peek();
+    if (word.empty()) return false;
+    if (text::parse_number(word).fault != NumberFault::NotANumber) {
+      rows.known_row = word.data();
+      return true;
+    }
+    scanner.take_line();
+  }
+}
+
+/// Whether the text from here on is not part of the motion: all frames were read, and no line of
+/// it starts with a number.
+bool is_trailing_text(Rows& rows, const char* begin) {
+  return rows.claim && rows.num_seen >= *rows.claim && !has_row(rows, begin);
+}
+
+void report_row_length(Rows& rows, const OddRow& odd) {
+  const std::string message = fmt::format("expected {} numbers in the row of frame {}, found {}",
+                                          rows.num_columns, rows.num_seen, odd.num_tokens);
+  if (odd.num_tokens > rows.num_columns) {
+    if (rows.parser.repair(code::kRowLength, message, "the numbers beyond are dropped",
+                           odd.first_extra)) {
+      rows.keep_row();
+    }
+  } else if (!has_row(rows, odd.line_end)) {
+    rows.parser.repair(code::kRowLength, message + ": the file ends within the frame",
+                       "the frame is dropped", odd.line_end);
+  } else {
+    rows.parser.report(Severity::Error, code::kRowLength, message, odd.line_end);
+  }
+}
+
+/// Deals with a line that is no plain row. Returns where to go on.
+const char* read_odd_line(Rows& rows, const char* line) {
+  text::Scanner& scanner = rows.parser.scanner;
+  scanner.move_to(line);
+  if (skip_comment(rows.parser)) return scanner.position();
+  if (is_trailing_text(rows, line)) {
+    rows.parser.report(Severity::Warning, code::kTextAfterFrames,
+                       fmt::format("expected nothing after the last frame, found {}; the rest of "
+                                   "the file is not read",
+                                   quoted(scanner.peek_in_line())),
+                       scanner.peek_in_line().data());
+    return rows.end();
+  }
+  const bool is_row_length = count_tokens_in_line(rows, line) == rows.num_columns;
+  if (!is_row_length && is_stream(rows, line)) {
+    read_stream(rows, line);
+    return rows.end();
+  }
+  const OddRow odd = read_odd_row(rows);
+  if (odd.is_good && odd.num_tokens == rows.num_columns) rows.keep_row();
+  if (odd.is_good && odd.num_tokens != rows.num_columns) report_row_length(rows, odd);
+  ++rows.num_seen;
+  return scanner.position();
+}
+
+void read_rows(Rows& rows, const char* begin) {
+  const char* p = begin;
+  while (p != rows.end()) {
+    const NumberRow read = text::read_number_row(p, rows.end(), rows.row.data(), rows.num_columns);
+    if (read.end == RowEnd::EndOfLine && read.count == rows.num_columns) {
+      rows.keep_row();
+      ++rows.num_seen;
+      p = read.next;
+    } else if (read.end == RowEnd::EndOfLine && read.count == 0) {
+      p = read.next;
+    } else {
+      p = read_odd_line(rows, p);
+    }
+  }
+}
+
+/// A motion without columns has an empty line a frame.
+void read_empty_rows(Rows& rows, const char* begin) {
+  text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
+  scanner.take_line();  // what is left of the line of the last count
+  std::size_t num_ends = 0;
+  for (const char* p = scanner.position(); p != rows.end() && text::is_line_end(*p); ++num_ends) {
+    p = text::read_number_row(p, rows.end(), nullptr, 0).next;
+  }
+  const std::size_t num_lines = num_ends > 0 ? num_ends - 1 : 0;
+  const std::string_view word = scanner.peek();
+  if (!word.empty()) {
+    rows.parser.report(
+        Severity::Error, code::kRowLength,
+        fmt::format("expected no numbers, since no joint has channels, found {}", quoted(word)),
+        word.data());
+  }
+  rows.file().num_frames = std::min(rows.claim.value_or(num_lines), num_lines);
+}
+
+/// Looks for words that are no numbers, where the rows' length is not known.
+void check_tokens(Parser& parser) {
+  while (true) {
+    const std::string_view token = parser.scanner.take();
+    if (token.empty()) return;
+    parse_odd_token(parser, token);
+  }
+}
+
+void compare_with_claim(Rows& rows) {
+  const std::size_t num_frames = rows.file().num_frames;
+  if (!rows.claim || rows.parser.diagnostics.has_errors() || *rows.claim == num_frames) return;
+  rows.parser.report(Severity::Warning,
+                     num_frames > *rows.claim ? code::kMoreRows : code::kFewerRows,
+                     fmt::format("expected {} frames, as Frames says, found {}; those are read",
+                                 *rows.claim, num_frames),
+                     rows.claim_at);
+}
+
+}  // namespace
+
+void parse_rows(Parser& parser, const char* begin, std::optional<std::size_t> claim,
+                const char* claim_at) {
+  if (!parser.is_structure_sound) return check_tokens(parser);
+  std::size_t num_columns = 0;
+  for (const Node& node : parser.file.nodes) num_columns += node.channels.size();
+  parser.file.num_columns = num_columns;
+  Rows rows{parser, claim, claim_at, num_columns, std::vector<double>(num_columns)};
+  check_claim(rows, begin);
+  if (num_columns == 0) {
+    read_empty_rows(rows, begin);
+  } else {
+    reserve_rows(rows, begin);
+    read_rows(rows, begin);
+  }
+  compare_with_claim(rows);
+}
+
+}  // namespace kinefile::bvh

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Biovision Hierarchy. There is no standard; the sources are
+// - Meredith and Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001,
+// - what 708 real files from 61 origins do, listed in docs/formats/bvh.md.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinefile::bvh {
+
+enum class ChannelKind { Position, Rotation, Scale, Unknown };
+
+/// A word of a CHANNELS list.
+struct Channel {
+  ChannelKind kind = ChannelKind::Unknown;
+  std::size_t axis = 0;   ///< 0 x, 1 y, 2 z; without meaning for an unknown channel
+  std::string_view word;  ///< as the file spells it
+};
+
+/// `End Site NAME { OFFSET x y z }`
+struct EndSite {
+  std::string_view name;  ///< mostly empty
+  std::array<double, 3> offset{};
+};
+
+/// `ROOT NAME { ... }` or `JOINT NAME { ... }`
+struct Node {
+  std::string_view name;
+  std::size_t parent = 0;  ///< index of an earlier node, or kNoParent for a ROOT
+  std::array<double, 3> offset{};
+  std::vector<Channel> channels;
+  std::vector<EndSite> end_sites;
+};
+
+/// What a BVH file says. Views point into the text that was parsed, or into the skeleton that was
+/// unbound.
+struct File {
+  std::vector<Node> nodes;  ///< depth first, as in the file
+  bool has_motion = false;
+  double frame_time = 0;
+  std::size_t num_frames = 0;  ///< rows that are there; the file's own count is only a claim
+  std::size_t num_columns = 0;
+  std::vector<double> values;  ///< [frame][column]
+};
+
+/// The channel that a word names, whatever its case: "Xposition", "ZROTATION", "yscale".
+Channel channel_of_word(std::string_view word);
+
+/// The usual spelling of a known channel; an unknown one as the file spells it.
+std::string spelling(const Channel& channel);
+
+/// Nodes may be nested this deep.
+inline constexpr std::size_t kMaxDepth = 1000;
+
+/// A node may claim this many channels.
+inline constexpr std::size_t kMaxChannels = 1000;
+
+}  // namespace kinefile::bvh

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/bvh/bind.hpp"
+#include "formats/bvh/codes.hpp"
+#include "text/numbers.hpp"
+
+namespace kinefile::bvh {
+namespace {
+
+Error not_expressible(const Joint& joint, std::string_view why) {
+  return make_error(ErrorKind::DataLoss, code::kNotExpressible,
+                    fmt::format("BVH cannot say that joint '{}' {}", joint.name, why));
+}
+
+/// The axis that a unit vector points along, 0 x, 1 y, 2 z, or nothing.
+std::optional<std::size_t> positive_axis(const Vec3& vector) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (vector == Vec3::Unit(static_cast<Eigen::Index>(k))) return k;
+  }
+  return std::nullopt;
+}
+
+ChannelKind channel_kind(DofKind kind) {
+  switch (kind) {
+    case DofKind::Rotation:
+      return ChannelKind::Rotation;
+    case DofKind::Translation:
+      return ChannelKind::Position;
+    case DofKind::TailScale:
+      return ChannelKind::Scale;
+    case DofKind::Free:
+    case DofKind::TailTranslation:
+      break;
+  }
+  return ChannelKind::Unknown;
+}
+
+/// A column that a degree of freedom reads, or that nothing reads and whose word is kept.
+struct Column {
+  Channel channel;
+  bool is_read = false;
+};
+
+/// Whether a reader finds the name again: a line, without braces and without blanks at its ends.
+bool is_writable_name(std::string_view name) {
+  return !name.empty() && name.find_first_of("\r\n{}") == std::string_view::npos &&
+         !text::is_blank(name.front()) && !text::is_blank(name.back());
+}
+
+std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>& columns) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    columns[c].channel.word = skeleton.coordinates[c].channel;
+  }
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    if (!is_writable_name(joint.name)) {
+      return not_expressible(joint, "has a name that is empty, spans lines or holds a brace");
+    }
+    if (!joint.rest_rotation.isApprox(Quat::Identity(), 0)) {
+      return not_expressible(joint, "is turned in its rest pose");
+    }
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const ChannelKind kind = channel_kind(dof.kind);
+      const auto axis = positive_axis(dof.axis);
+      Column& column = columns[dof.coordinate];
+      if (kind == ChannelKind::Unknown) {
+        return not_expressible(joint, "moves freely or along its bone");
+      }
+      if (!axis) return not_expressible(joint, "moves about an axis other than x, y and z");
+      if (column.is_read || skeleton.coordinates[dof.coordinate].joint != j) {
+        return not_expressible(joint, "shares a column with another movement");
+      }
+      column = {{kind, *axis, {}}, true};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Joints depth first: the order of BVH's braces and of its columns.
+std::vector<std::size_t> depth_first(const Skeleton& skeleton) {
+  const auto children = children_of_joints(skeleton);
+  std::vector<std::size_t> order;
+  std::vector<std::size_t> waiting;
+  for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
+    if (skeleton.joints[j].parent == kNoParent) waiting.push_back(j);
+  }
+  while (!waiting.empty()) {
+    const std::size_t joint = waiting.back();
+    waiting.pop_back();
+    order.push_back(joint);
+    waiting.insert(waiting.end(), children[joint].rbegin(), children[joint].rend());
+  }
+  return order;
+}
+
+/// The OFFSET of a joint: a component that a position channel replaces is that channel's rest.
+std::array<double, 3> offset_of(const Joint& joint) {
+  std::array<double, 3> offset = {joint.offset[0], joint.offset[1], joint.offset[2]};
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Translation) continue;
+    double& component = offset[*positive_axis(dof.axis)];
+    if (component == 0) component = dof.rest;
+  }
+  return offset;
+}
+
+/// Whether the degrees of freedom of a joint act in the order of its columns, as BVH reads them.
+bool is_in_column_order(const Joint& joint) {
+  std::size_t last = 0;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Rotation) continue;
+    if (dof.coordinate < last) return false;
+    last = dof.coordinate;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Unbound> unbind(const Skeleton& skeleton) {
+  std::vector<Column> columns(skeleton.coordinates.size());
+  if (auto error = name_columns(skeleton, columns)) return fail(std::move(*error));
+
+  std::vector<std::vector<std::size_t>> columns_of_joint(skeleton.joints.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    columns_of_joint[skeleton.coordinates[c].joint].push_back(c);
+  }
+  Unbound unbound;
+  std::vector<std::size_t> node_of_joint(skeleton.joints.size());
+  for (const std::size_t j : depth_first(skeleton)) {
+    const Joint& joint = skeleton.joints[j];
+    if (!is_in_column_order(joint)) {
+      return fail(not_expressible(joint, "turns in another order than its values stand in"));
+    }
+    node_of_joint[j] = unbound.file.nodes.size();
+    Node node;
+    node.name = joint.name;
+    node.parent = joint.parent == kNoParent ? kNoParent : node_of_joint[joint.parent];
+    node.offset = offset_of(joint);
+    for (const Tip& tip : joint.tips) {
+      node.end_sites.push_back({tip.name, {tip.offset[0], tip.offset[1], tip.offset[2]}});
+    }
+    for (const std::size_t c : columns_of_joint[j]) {
+      node.channels.push_back(columns[c].channel);
+      unbound.column_of.push_back(c);
+    }
+    unbound.file.nodes.push_back(std::move(node));
+  }
+  unbound.file.num_columns = columns.size();
+  if (std::is_sorted(unbound.column_of.begin(), unbound.column_of.end())) unbound.column_of.clear();
+  return unbound;
+}
+
+}  // namespace kinefile::bvh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinefile/pose_table.hpp"
+
+namespace kinefile::tables {
+
+/// A line of a pose table within a frame: a joint, or one of its tips.
+struct PoseRow {
+  std::string label;
+  std::size_t joint = 0;
+  std::size_t point = 0;  ///< index into the positions of joints, or of tips
+  bool is_tip = false;
+};
+
+/// The lines of each frame, in the order of the table.
+inline std::vector<PoseRow> pose_rows(const PoseTable& table) {
+  const std::vector<Joint>& joints = table.skeleton->joints;
+  std::vector<std::size_t> first_tip(joints.size(), 0);
+  for (std::size_t j = 1; j < joints.size(); ++j) {
+    first_tip[j] = first_tip[j - 1] + joints[j - 1].tips.size();
+  }
+  std::vector<PoseRow> rows;
+  for (const std::size_t j : table.joints) {
+    rows.push_back({joints[j].name, j, j, false});
+    if (!table.tips) continue;
+    for (std::size_t t = 0; t < joints[j].tips.size(); ++t) {
+      rows.push_back({tip_label(joints[j], t), j, first_tip[j] + t, true});
+    }
+  }
+  return rows;
+}
+
+/// Where a line's point lies: three numbers in `poses`.
+inline const double* point_of(const PoseArrays& poses, std::size_t frame, const PoseRow& row) {
+  return row.is_tip ? &poses.tips[(frame * poses.num_tips + row.point) * 3]
+                    : &poses.positions[(frame * poses.num_joints + row.point) * 3];
+}
+
+}  // namespace kinefile::tables

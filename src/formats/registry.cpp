@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "formats/bvh/format.hpp"
+#include "formats/csv/format.hpp"
+#include "formats/json/format.hpp"
+#include "kinefile/format.hpp"
+
+namespace kinefile {
+
+std::span<const Format> formats() {
+  static const std::array kFormats = {
+      bvh::format(),
+      csv::format(),
+      json::format(),
+  };
+  return kFormats;
+}
+
+const Format* find_format(std::string_view name) {
+  const auto all = formats();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [name](const Format& format) { return format.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Format* format_of_name(std::string_view file_name) {
+  std::string lower(file_name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  for (const Format& format : formats()) {
+    for (const std::string_view extension : format.extensions) {
+      if (lower.ends_with(extension)) return &format;
+    }
+  }
+  return nullptr;
+}
+
+const Format* detect_format(std::string_view head, std::string_view file_name) {
+  for (const Format& format : formats()) {
+    if (format.probe != nullptr && format.probe(head)) return &format;
+  }
+  return format_of_name(file_name);
+}
+
+}  // namespace kinefile

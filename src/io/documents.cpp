@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "kinefile/io.hpp"
+
+namespace kinefile {
+namespace {
+
+/// How much of a file is looked at to tell its format.
+constexpr std::size_t kHeadBytes = 4096;
+
+std::string names_of_formats(bool (*is_wanted)(const Format&)) {
+  std::string names;
+  for (const Format& format : formats()) {
+    if (!is_wanted(format)) continue;
+    if (!names.empty()) names += ", ";
+    names += format.name;
+  }
+  return names;
+}
+
+}  // namespace
+
+Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
+                           Diagnostics& diagnostics) {
+  options.source_name = path == "-" ? "<stdin>" : path;
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return fail(bytes.error());
+  if (format == nullptr) format = detect_format(bytes->view().substr(0, kHeadBytes), path);
+  if (format == nullptr || format->read == nullptr) {
+    const std::string readable =
+        names_of_formats([](const Format& known) { return known.read != nullptr; });
+    return fail(make_error(
+        ErrorKind::InvalidInput, "FMT001",
+        format == nullptr
+            ? fmt::format("neither the content nor the name shows a format; --from names it ({})",
+                          readable)
+            : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
+        options.source_name));
+  }
+  return format->read(bytes->view(), options, diagnostics);
+}
+
+Result<void> write_file(const std::string& path, const Document& document, const Format& format,
+                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
+  if (format.write == nullptr) {
+    const std::string writable =
+        names_of_formats([](const Format& known) { return known.write != nullptr; });
+    return fail(make_error(
+        ErrorKind::Usage, "FMT002",
+        fmt::format("{} is only read, not written; what is written: {}", format.name, writable)));
+  }
+  auto file = OutputFile::create(path, replace);
+  if (!file) return fail(file.error());
+  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
+  const auto written = format.write(document, options, sink, diagnostics);
+  // A fault of the file says more than that the writer was stopped.
+  if (!written && written.error().kind != ErrorKind::Io) return fail(written.error());
+  return file->commit();
+}
+
+}  // namespace kinefile

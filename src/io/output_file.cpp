@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "kinefile/io.hpp"
+
+namespace kinefile {
+
+struct OutputFile::State {
+  std::string path;
+  std::string temporary;  ///< empty for standard output, and after the rename
+  int descriptor = -1;
+  int fault = 0;  ///< errno of the first fault
+  bool may_replace = false;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (descriptor > STDERR_FILENO) ::close(descriptor);
+    if (!temporary.empty()) ::unlink(temporary.c_str());
+  }
+};
+
+namespace {
+
+Error cannot_write(const std::string& path, int reason) {
+  return make_error(ErrorKind::Io, "IO003", fmt::format("cannot write: {}", std::strerror(reason)),
+                    path == "-" ? "<stdout>" : path);
+}
+
+Error exists(const std::string& path) {
+  return make_error(ErrorKind::Io, "IO002", "the file exists; --force replaces it", path);
+}
+
+/// The file that a link leads to, so that the rename replaces the file and not the link.
+std::string resolved(const std::string& path) {
+  char* real = ::realpath(path.c_str(), nullptr);
+  if (real == nullptr) return path;
+  std::string target(real);
+  std::free(real);
+  return target;
+}
+
+/// The access rights of the file that is replaced, or those of a new one.
+mode_t mode_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 0777;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+/// Makes a rename last: the folder that holds the name is written out, too.
+void sync_folder(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+bool is_special_file(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
+OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
+OutputFile::~OutputFile() = default;
+
+Result<OutputFile> OutputFile::create(const std::string& path, bool replace) {
+  auto state = std::make_unique<State>();
+  state->path = path;
+  state->may_replace = replace;
+  if (path == "-") {
+    state->descriptor = STDOUT_FILENO;
+    return OutputFile(std::move(state));
+  }
+  if (is_special_file(path)) {  // a device or a pipe takes bytes as they come
+    state->descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (state->descriptor < 0) return fail(cannot_write(path, errno));
+    return OutputFile(std::move(state));
+  }
+  if (!replace && ::access(path.c_str(), F_OK) == 0) return fail(exists(path));
+  state->path = resolved(path);
+  std::string name = state->path + ".part.XXXXXX";
+  state->descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (state->descriptor < 0) return fail(cannot_write(path, errno));
+  state->temporary = name;
+  ::fchmod(state->descriptor, mode_of(state->path));
+  return OutputFile(std::move(state));
+}
+
+bool OutputFile::write(std::string_view bytes) {
+  while (state_->fault == 0 && !bytes.empty()) {
+    const ssize_t count = ::write(state_->descriptor, bytes.data(), bytes.size());
+    if (count >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      state_->fault = errno;
+    }
+  }
+  return state_->fault == 0;
+}
+
+Result<void> OutputFile::commit() {
+  State& state = *state_;
+  if (state.fault != 0) return fail(cannot_write(state.path, state.fault));
+  if (state.temporary.empty()) return {};
+  if (::fsync(state.descriptor) != 0) return fail(cannot_write(state.path, errno));
+  // A link made in one step fails where the name has been taken since, which a rename would not.
+  if (!state.may_replace) {
+    if (::link(state.temporary.c_str(), state.path.c_str()) == 0) {
+      sync_folder(state.path);
+      return {};
+    }
+    if (errno == EEXIST) return fail(exists(state.path));
+  }
+  if (std::rename(state.temporary.c_str(), state.path.c_str()) != 0) {
+    return fail(cannot_write(state.path, errno));
+  }
+  state.temporary.clear();
+  sync_folder(state.path);
+  return {};
+}
+
+}  // namespace kinefile

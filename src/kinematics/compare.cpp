@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile {
+namespace {
+
+struct JointPair {
+  std::size_t first;
+  std::size_t second;
+};
+
+/// Joints of one name in the order in which they come.
+std::map<std::string, std::vector<std::size_t>> joints_by_name(const Skeleton& skeleton) {
+  std::map<std::string, std::vector<std::size_t>> joints;
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    joints[skeleton.joints[j].name].push_back(j);
+  }
+  return joints;
+}
+
+std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& second,
+                                    MotionComparison& comparison) {
+  std::vector<JointPair> pairs;
+  auto others = joints_by_name(second);
+  std::vector<bool> is_matched(second.joints.size(), false);
+  for (std::size_t j = 0; j < first.joints.size(); ++j) {
+    auto& waiting = others[first.joints[j].name];
+    if (waiting.empty()) {
+      comparison.only_in_first.push_back(first.joints[j].name);
+      continue;
+    }
+    pairs.push_back({j, waiting.front()});
+    is_matched[waiting.front()] = true;
+    waiting.erase(waiting.begin());
+  }
+  for (std::size_t j = 0; j < second.joints.size(); ++j) {
+    if (!is_matched[j]) comparison.only_in_second.push_back(second.joints[j].name);
+  }
+  return pairs;
+}
+
+/// The frame of a clip that is nearest to a time.
+std::size_t nearest_frame(const Clip& clip, double time) {
+  if (clip.timeline.times.empty()) {
+    const double frame = std::round(time / frame_time(clip.timeline));
+    const auto last = static_cast<double>(clip.num_frames - 1);
+    return static_cast<std::size_t>(std::clamp(frame, 0.0, last));
+  }
+  const auto& times = clip.timeline.times;
+  const auto after = std::lower_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return 0;
+  if (after == times.end()) return times.size() - 1;
+  const bool is_nearer_before = time - *(after - 1) <= *after - time;
+  return static_cast<std::size_t>(after - times.begin()) - (is_nearer_before ? 1 : 0);
+}
+
+/// The distance of two points; NaN agrees with NaN and with nothing else.
+double distance_of(const double* a, const double* b) {
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::isnan(a[k]) && std::isnan(b[k])) continue;
+    if (a[k] == b[k]) continue;
+    if (std::isnan(a[k]) || std::isnan(b[k])) return std::numeric_limits<double>::infinity();
+    square += (a[k] - b[k]) * (a[k] - b[k]);
+  }
+  return std::sqrt(square);
+}
+
+double rotation_of(const double* a, const double* b) {
+  const auto has_nan = [](const double* q) { return std::isnan(q[0] + q[1] + q[2] + q[3]); };
+  if (has_nan(a) || has_nan(b)) return has_nan(a) && has_nan(b) ? 0 : 180;
+  return angle_between(Quat(a[0], a[1], a[2], a[3]), Quat(b[0], b[1], b[2], b[3])) /
+         kRadiansPerDegree;
+}
+
+void keep_larger(LargestDifference& largest, double value, const std::string& joint,
+                 std::size_t frame, double time) {
+  if (!largest.joint.empty() && value <= largest.value) return;
+  largest = {value, joint, frame, time};
+}
+
+/// The first tip of every joint in the arrays of poses.
+std::vector<std::size_t> first_tips(const Skeleton& skeleton) {
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const Joint& joint : skeleton.joints) {
+    first.push_back(count);
+    count += joint.tips.size();
+  }
+  return first;
+}
+
+struct Side {
+  const Motion& motion;
+  std::vector<std::size_t> first_tip;
+  WorldPoses poses;
+
+  const double* position(std::size_t row, std::size_t joint) const {
+    return &poses.positions[(row * poses.num_joints + joint) * 3];
+  }
+  const double* rotation(std::size_t row, std::size_t joint) const {
+    return &poses.rotations[(row * poses.num_joints + joint) * 4];
+  }
+  const double* tip(std::size_t row, std::size_t joint, std::size_t tip) const {
+    return &poses.tips[(row * poses.num_tips + first_tip[joint] + tip) * 3];
+  }
+};
+
+void compare_joint(const Side& a, const Side& b, JointPair pair, std::size_t row_a,
+                   std::size_t row_b, MotionComparison& comparison) {
+  const std::size_t frame = a.poses.first_frame + row_a;
+  const double time = time_of_frame(a.motion.clip.timeline, frame);
+  const Joint& joint = a.motion.skeleton.joints[pair.first];
+  const std::size_t num_tips_b = b.motion.skeleton.joints[pair.second].tips.size();
+  keep_larger(comparison.distance,
+              distance_of(a.position(row_a, pair.first), b.position(row_b, pair.second)),
+              joint.name, frame, time);
+  keep_larger(comparison.rotation,
+              rotation_of(a.rotation(row_a, pair.first), b.rotation(row_b, pair.second)),
+              joint.name, frame, time);
+  if (joint.tips.size() != num_tips_b) return;
+  for (std::size_t t = 0; t < joint.tips.size(); ++t) {
+    keep_larger(comparison.tip_distance,
+                distance_of(a.tip(row_a, pair.first, t), b.tip(row_b, pair.second, t)),
+                tip_label(joint, t), frame, time);
+  }
+}
+
+void place(Side& side, std::size_t first_frame, std::size_t num_frames) {
+  KinematicsOptions options;
+  options.first_frame = first_frame;
+  options.num_frames = num_frames;
+  options.rotations = true;
+  options.tips = true;
+  side.poses = forward_kinematics(side.motion.skeleton, side.motion.clip, options);
+}
+
+}  // namespace
+
+MotionComparison compare_motions(const Motion& first, const Motion& second) {
+  constexpr std::size_t kFrames = 256;  // at a time, so that long clips need little memory
+  MotionComparison comparison;
+  comparison.num_frames_first = first.clip.num_frames;
+  comparison.num_frames_second = second.clip.num_frames;
+  const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
+  if (first.clip.num_frames == 0 || second.clip.num_frames == 0) return comparison;
+
+  Side a{first, first_tips(first.skeleton), {}};
+  Side b{second, first_tips(second.skeleton), {}};
+  for (std::size_t start = 0; start < first.clip.num_frames; start += kFrames) {
+    place(a, start, kFrames);
+    const auto partner = [&](std::size_t row) {
+      return nearest_frame(second.clip, time_of_frame(first.clip.timeline, start + row));
+    };
+    const std::size_t first_partner = partner(0);
+    place(b, first_partner, partner(a.poses.num_frames - 1) - first_partner + 1);
+    for (std::size_t row = 0; row < a.poses.num_frames; ++row) {
+      for (const JointPair pair : pairs) {
+        compare_joint(a, b, pair, row, partner(row) - first_partner, comparison);
+      }
+    }
+  }
+  return comparison;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile {
+namespace {
+
+/// The vector along a joint's bone; zero if nothing hangs on the joint.
+Vec3 bone_vector(const Skeleton& skeleton, const Joint& joint,
+                 const std::vector<std::size_t>& children) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t child : children) sum += rest_offset(skeleton.joints[child]);
+  if (!children.empty()) return sum / static_cast<double>(children.size());
+  for (const Tip& tip : joint.tips) sum += tip.offset;
+  return joint.tips.empty() ? sum : sum / static_cast<double>(joint.tips.size());
+}
+
+void include_points(const std::vector<double>& points, Box& box) {
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const Vec3 point(points[i], points[i + 1], points[i + 2]);
+    if (!point.allFinite()) continue;
+    box.min = box.min.cwiseMin(point);
+    box.max = box.max.cwiseMax(point);
+  }
+}
+
+}  // namespace
+
+Clip rest_clip(const Skeleton& skeleton) {
+  Clip clip;
+  clip.num_frames = 1;
+  clip.num_coordinates = skeleton.coordinates.size();
+  clip.values = rest_coordinates(skeleton);
+  return clip;
+}
+
+std::vector<Vec3> bone_directions(const Skeleton& skeleton) {
+  const auto children = children_of_joints(skeleton);
+  std::vector<Vec3> directions;
+  directions.reserve(skeleton.joints.size());
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Vec3 bone = bone_vector(skeleton, skeleton.joints[j], children[j]);
+    const double length = bone.stableNorm();
+    directions.push_back(length > 0 ? Vec3(bone / length) : Vec3::UnitY());
+  }
+  return directions;
+}
+
+Box world_extent(const Skeleton& skeleton, const Clip& clip) {
+  // Some frames at a time, so that a long clip's poses are not all held at once.
+  constexpr std::size_t kFrames = 1024;
+  Box box;
+  for (std::size_t frame = 0; frame < clip.num_frames; frame += kFrames) {
+    KinematicsOptions options;
+    options.first_frame = frame;
+    options.num_frames = kFrames;
+    options.tips = true;
+    const WorldPoses poses = forward_kinematics(skeleton, clip, options);
+    include_points(poses.positions, box);
+    include_points(poses.tips, box);
+  }
+  return box;
+}
+
+}  // namespace kinefile

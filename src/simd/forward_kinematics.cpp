@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one a
+// frame, so that each line of arithmetic is a short loop that becomes vector instructions.
+// A rotation about a coordinate axis changes two columns of the rotation matrix and no more.
+// Highway compiles this file once for every set of instructions and picks one at run time.
+
+#include "simd/forward_kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#ifdef __EMSCRIPTEN__
+#define HWY_COMPILE_ONLY_EMU128  // WebAssembly has no vectors of doubles in Highway 1.0
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/forward_kinematics.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/sincos-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace kinefile::simd {
+namespace HWY_NAMESPACE {
+
+/// One number of a pose in every frame of a block.
+struct alignas(64) Lanes {
+  double v[kBlock];
+};
+
+using VectorLanes = std::array<Lanes, 3>;
+using MatrixLanes = std::array<VectorLanes, 3>;  ///< [column][row]
+
+struct Pose {
+  MatrixLanes rotation;
+  VectorLanes position;
+};
+
+/// The rows that a block stands for. Lanes beyond the last row repeat it.
+struct Block {
+  const Rows& rows;
+  std::size_t first;
+  std::size_t count;
+
+  HWY_INLINE void load(std::size_t coordinate, Lanes& lanes) const {
+    const double* from = rows.values + first * rows.num_coordinates + coordinate;
+    for (std::size_t i = 0; i < count; ++i) lanes.v[i] = from[i * rows.num_coordinates];
+    for (std::size_t i = count; i < kBlock; ++i) lanes.v[i] = lanes.v[count - 1];
+  }
+};
+
+HWY_INLINE void fill(Lanes& lanes, double value) {
+  for (std::size_t i = 0; i < kBlock; ++i) lanes.v[i] = value;
+}
+
+HWY_INLINE void fill(VectorLanes& lanes, const Vector& vector) {
+  for (std::size_t k = 0; k < 3; ++k) fill(lanes[k], vector[k]);
+}
+
+HWY_INLINE void fill(MatrixLanes& lanes, const Matrix& matrix) {
+  for (std::size_t c = 0; c < 3; ++c) fill(lanes[c], matrix[c]);
+}
+
+/// rotation * point, plus what is in `sum`
+HWY_INLINE void add_rotated(const MatrixLanes& rotation, const VectorLanes& point,
+                            VectorLanes& sum) {
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      sum[r].v[i] += rotation[0][r].v[i] * point[0].v[i] + rotation[1][r].v[i] * point[1].v[i] +
+                     rotation[2][r].v[i] * point[2].v[i];
+    }
+  }
+}
+
+/// rotation = rotation * factor
+HWY_INLINE void multiply(MatrixLanes& rotation, const MatrixLanes& factor) {
+  MatrixLanes product;
+  fill(product, Matrix{});
+  for (std::size_t c = 0; c < 3; ++c) add_rotated(rotation, factor[c], product[c]);
+  rotation = product;
+}
+
+/// Turns two columns: the product with a rotation about the third axis.
+HWY_INLINE void turn_columns(VectorLanes& first, VectorLanes& second, const Lanes& sine,
+                             const Lanes& cosine) {
+  for (std::size_t r = 0; r < 3; ++r) {
+    double* HWY_RESTRICT a = first[r].v;
+    double* HWY_RESTRICT b = second[r].v;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double turned = cosine.v[i] * a[i] + sine.v[i] * b[i];
+      b[i] = cosine.v[i] * b[i] - sine.v[i] * a[i];
+      a[i] = turned;
+    }
+  }
+}
+
+/// The matrix of a rotation about a unit axis (Rodrigues).
+void rotation_about(const Vector& u, const Lanes& sine, const Lanes& cosine, MatrixLanes& out) {
+  const Matrix cross = {{{0, u[2], -u[1]}, {-u[2], 0, u[0]}, {u[1], -u[0], 0}}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t r = 0; r < 3; ++r) {
+      const double outer = u[r] * u[c];
+      const double rest = (r == c ? 1 : 0) - outer;
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        out[c][r].v[i] = outer + rest * cosine.v[i] + cross[c][r] * sine.v[i];
+      }
+    }
+  }
+}
+
+void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, bool is_in_degrees) {
+  Lanes angles;
+  Lanes sine;
+  Lanes cosine;
+  block.load(turn.coordinate, angles);
+  (is_in_degrees ? sincos_degrees : sincos_radians)(angles.v, sine.v, cosine.v);
+  if (turn.axis == 3) {
+    MatrixLanes factor;
+    rotation_about(turn.direction, sine, cosine, factor);
+    multiply(rotation, factor);
+    return;
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) sine.v[i] *= turn.sign;
+  turn_columns(rotation[(turn.axis + 1) % 3], rotation[(turn.axis + 2) % 3], sine, cosine);
+}
+
+/// The rotation of a free joint, whose quaternion is normalised here and only here.
+void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block& block) {
+  std::array<Lanes, 4> q;
+  for (std::size_t k = 0; k < 4; ++k) block.load(coordinate + k, q[k]);
+  MatrixLanes factor;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double length = std::sqrt(q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i] +
+                                    q[2].v[i] * q[2].v[i] + q[3].v[i] * q[3].v[i]);
+    const double w = q[0].v[i] / length;
+    const double x = q[1].v[i] / length;
+    const double y = q[2].v[i] / length;
+    const double z = q[3].v[i] / length;
+    factor[0][0].v[i] = 1 - 2 * (y * y + z * z);
+    factor[0][1].v[i] = 2 * (x * y + w * z);
+    factor[0][2].v[i] = 2 * (x * z - w * y);
+    factor[1][0].v[i] = 2 * (x * y - w * z);
+    factor[1][1].v[i] = 1 - 2 * (x * x + z * z);
+    factor[1][2].v[i] = 2 * (y * z + w * x);
+    factor[2][0].v[i] = 2 * (x * z + w * y);
+    factor[2][1].v[i] = 2 * (y * z - w * x);
+    factor[2][2].v[i] = 1 - 2 * (x * x + y * y);
+  }
+  multiply(rotation, factor);
+}
+
+/// Where a joint's origin lies in its parent's frame.
+HWY_INLINE void local_position(const PlannedJoint& joint, const Block& block,
+                               VectorLanes& position) {
+  fill(position, joint.offset);
+  for (const Shift& shift : joint.shifts) {
+    Lanes values;
+    block.load(shift.coordinate, values);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shift.direction[k] == 0) continue;
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        position[k].v[i] += shift.direction[k] * values.v[i];
+      }
+    }
+  }
+}
+
+/// Applies what a joint does to its children and tips.
+void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& block) {
+  for (std::size_t m = joint.tail_moves.size(); m-- > 0;) {
+    const TailMove& move = joint.tail_moves[m];
+    const Vector& axis = move.axis;
+    Lanes values;
+    block.load(move.coordinate, values);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double along =
+          point[0].v[i] * axis[0] + point[1].v[i] * axis[1] + point[2].v[i] * axis[2];
+      const double step = move.is_scale ? (values.v[i] - 1) * along : values.v[i];
+      for (std::size_t k = 0; k < 3; ++k) point[k].v[i] += step * axis[k];
+    }
+  }
+}
+
+/// Places joint `j`; its parent has been placed.
+void place_joint(const Plan& plan, std::size_t j, const Block& block, std::vector<Pose>& poses) {
+  constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const PlannedJoint& joint = plan.joints[j];
+  Pose& pose = poses[j];
+  const bool is_root = joint.parent == kNoJoint;
+  VectorLanes origin;
+  local_position(joint, block, origin);
+  if (!is_root) apply_tail(plan.joints[joint.parent], origin, block);
+  if (is_root || plan.is_local) {
+    fill(pose.rotation, kIdentity);
+    pose.position = origin;
+  } else {
+    pose = poses[joint.parent];
+    add_rotated(poses[joint.parent].rotation, origin, pose.position);
+  }
+  if (joint.has_rest_rotation) {
+    MatrixLanes rest;
+    fill(rest, joint.rest_rotation);
+    multiply(pose.rotation, rest);
+  }
+  if (joint.is_free) apply_quaternion(pose.rotation, joint.quaternion_coordinate, block);
+  for (const Turn& turn : joint.turns) apply_turn(pose.rotation, turn, block, plan.is_in_degrees);
+}
+
+HWY_INLINE void store_point(const VectorLanes& point, const Block& block, std::size_t stride,
+                            double* HWY_RESTRICT out) {
+  for (std::size_t i = 0; i < block.count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) out[i * stride + k] = point[k].v[i];
+  }
+}
+
+/// The unit quaternion w x y z of one lane's rotation (Shepperd, "Quaternion from Rotation
+/// Matrix", 1978: the largest of the four is found first). The sign is such that w >= 0 and that
+/// at w = 0 the first other number that is not zero is positive: equal rotations, equal numbers.
+void store_quaternion(const MatrixLanes& m, std::size_t lane, double* out) {
+  const auto at = [&m, lane](std::size_t row, std::size_t column) {
+    return m[column][row].v[lane];
+  };
+  const double trace = at(0, 0) + at(1, 1) + at(2, 2);
+  double q[4];
+  if (trace > 0) {
+    q[0] = 1 + trace;
+    q[1] = at(2, 1) - at(1, 2);
+    q[2] = at(0, 2) - at(2, 0);
+    q[3] = at(1, 0) - at(0, 1);
+  } else {
+    std::size_t a = at(1, 1) > at(0, 0) ? 1 : 0;
+    if (at(2, 2) > at(a, a)) a = 2;
+    const std::size_t b = (a + 1) % 3;
+    const std::size_t c = (a + 2) % 3;
+    q[0] = at(c, b) - at(b, c);
+    q[1 + a] = 1 + at(a, a) - at(b, b) - at(c, c);
+    q[1 + b] = at(b, a) + at(a, b);
+    q[1 + c] = at(c, a) + at(a, c);
+  }
+  double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double* first = std::find_if(q, q + 3, [](double number) { return number != 0; });
+  if (*first < 0) length = -length;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double number = q[k] / length;
+    out[k] = number == 0 ? 0 : number;  // never -0
+  }
+}
+
+/// Copies the poses of joint `j` in a block to where they are wanted.
+void store_joint(const Plan& plan, std::size_t j, const Block& block, const Pose& pose,
+                 const PoseOutput& out) {
+  const std::size_t num_joints = plan.joints.size();
+  const std::size_t index = block.first * num_joints + j;
+  store_point(pose.position, block, num_joints * 3, out.positions + index * 3);
+  if (out.rotations != nullptr) {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      store_quaternion(pose.rotation, i, out.rotations + (index + i * num_joints) * 4);
+    }
+  }
+  if (out.directions != nullptr) {
+    VectorLanes bone;
+    VectorLanes direction;
+    fill(bone, plan.joints[j].direction);
+    fill(direction, Vector{});
+    add_rotated(pose.rotation, bone, direction);
+    store_point(direction, block, num_joints * 3, out.directions + index * 3);
+  }
+}
+
+void store_tips(const Plan& plan, const Block& block, const std::vector<Pose>& poses,
+                const PoseOutput& out) {
+  std::size_t tip = 0;
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    for (const Vector& offset : plan.joints[j].tips) {
+      VectorLanes point;
+      fill(point, offset);
+      apply_tail(plan.joints[j], point, block);
+      VectorLanes place = poses[j].position;
+      add_rotated(poses[j].rotation, point, place);
+      store_point(place, block, out.num_tips * 3,
+                  out.tips + (block.first * out.num_tips + tip) * 3);
+      ++tip;
+    }
+  }
+}
+
+void place_all(const Plan& plan, const Rows& rows, const PoseOutput& out) {
+  std::vector<Pose> poses(plan.joints.size());
+  for (std::size_t first = 0; first < rows.num_frames; first += kBlock) {
+    const Block block{rows, first, std::min(kBlock, rows.num_frames - first)};
+    for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+      place_joint(plan, j, block, poses);
+      store_joint(plan, j, block, poses[j], out);
+    }
+    if (out.tips != nullptr) store_tips(plan, block, poses, out);
+  }
+}
+
+void sincos_all(const double* angles, std::size_t count, bool is_in_degrees, double* sines,
+                double* cosines) {
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    const std::size_t size = std::min(kBlock, count - first);
+    Lanes block{};
+    Lanes sine;
+    Lanes cosine;
+    std::copy_n(angles + first, size, block.v);
+    (is_in_degrees ? sincos_degrees : sincos_radians)(block.v, sine.v, cosine.v);
+    std::copy_n(sine.v, size, sines + first);
+    std::copy_n(cosine.v, size, cosines + first);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kinefile::simd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinefile::simd {
+#ifdef __EMSCRIPTEN__
+
+void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out) {
+  HWY_STATIC_DISPATCH(place_all)(plan, rows, out);
+}
+
+void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,
+            double* cosines) {
+  HWY_STATIC_DISPATCH(sincos_all)(angles, count, is_in_degrees, sines, cosines);
+}
+
+#else
+namespace {
+HWY_EXPORT(place_all);
+HWY_EXPORT(sincos_all);
+}  // namespace
+
+void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out) {
+  HWY_DYNAMIC_DISPATCH(place_all)(plan, rows, out);
+}
+
+void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,
+            double* cosines) {
+  HWY_DYNAMIC_DISPATCH(sincos_all)(angles, count, is_in_degrees, sines, cosines);
+}
+
+#endif
+}  // namespace kinefile::simd
+#endif  // HWY_ONCE

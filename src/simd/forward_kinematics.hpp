@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace kinefile::simd {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<Vector, 3>;  ///< [column][row]
+
+inline constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
+
+/// How many frames the kernel works on at a time.
+inline constexpr std::size_t kBlock = 16;
+
+/// A rotation about x, y or z (`axis` 0, 1, 2; `sign` -1 for the opposite axis), or about any
+/// other unit vector (`axis` 3).
+struct Turn {
+  std::size_t coordinate;
+  std::size_t axis;
+  double sign;
+  Vector direction;
+};
+
+/// A movement of a joint's origin, along a direction in its parent's frame.
+struct Shift {
+  std::size_t coordinate;
+  Vector direction;
+};
+
+/// What a joint does to where its children and tips sit, along an axis of its own frame.
+struct TailMove {
+  std::size_t coordinate;
+  bool is_scale;
+  Vector axis;
+};
+
+/// A joint as the kernel wants it: parent_from_joint is a translation by `offset` and all shifts,
+/// the rest rotation, the free rotation, the turns, the first of them outermost.
+struct PlannedJoint {
+  std::size_t parent = kNoJoint;  ///< an index below the joint's own
+  Vector offset{};
+  bool has_rest_rotation = false;
+  Matrix rest_rotation{};
+  std::vector<Shift> shifts;
+  bool is_free = false;
+  std::size_t quaternion_coordinate = 0;  ///< of qw; qx, qy, qz follow
+  std::vector<Turn> turns;
+  std::vector<TailMove> tail_moves;  ///< the first of them is outermost
+  Vector direction{};                ///< unit vector along the bone, in the joint's frame
+  std::vector<Vector> tips;
+};
+
+struct Plan {
+  std::vector<PlannedJoint> joints;
+  bool is_in_degrees = true;
+  bool is_local = false;  ///< parent_from_joint instead of world_from_joint
+};
+
+/// Rows of values, [frame][coordinate].
+struct Rows {
+  const double* values;
+  std::size_t num_frames;
+  std::size_t num_coordinates;
+};
+
+/// Where poses go, laid out as in `PoseArrays`; null for what is not wanted.
+struct PoseOutput {
+  double* positions;
+  double* rotations;
+  double* directions;
+  double* tips;
+  std::size_t num_tips;
+};
+
+/// Computes the poses of all joints for all rows. Every instruction set gives the same bits.
+void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out);
+
+/// Sines and cosines as the kernel computes them, for `count` angles.
+void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,
+            double* cosines);
+
+}  // namespace kinefile::simd

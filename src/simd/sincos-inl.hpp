@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Included once for every set of vector instructions, by forward_kinematics.cpp: no include guard.
+//
+// Loops over a block without branches or calls, so that the compiler can turn them into vector
+// instructions; sin and cos of the C library cannot be. Nothing here depends on the instructions'
+// width: products and sums are rounded one by one, so every machine gets the same bits.
+
+HWY_BEFORE_NAMESPACE();
+namespace kinefile::simd {
+namespace HWY_NAMESPACE {
+
+/// Adding and taking away 1.5 * 2^52 rounds to the nearest whole number.
+constexpr double kRounder = 6755399441055744.0;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Beyond this angle, in the angle's own unit, the reduction would lose digits.
+constexpr double kMostDegrees = 90.0 * (1 << 20);
+constexpr double kMostRadians = 1 << 20;
+
+struct Angle {
+  double quarters;   ///< whole quarter turns
+  double remainder;  ///< what is left, in radians, within an eighth of a turn
+};
+
+HWY_INLINE Angle reduce_degrees(double degrees) {
+  const double quarters = (degrees * (1.0 / 90) + kRounder) - kRounder;
+  // The product and the difference are exact, so no digit of the angle is lost.
+  return {quarters, (degrees - quarters * 90) * kDegree};
+}
+
+HWY_INLINE Angle reduce_radians(double radians) {
+  // pi / 2 in three parts; the first two have 33 bits, so that their products are exact
+  // (Cody and Waite, "Software Manual for the Elementary Functions", 1980; fdlibm e_rem_pio2.c).
+  constexpr double kPart1 = 1.57079632673412561417e+00;
+  constexpr double kPart2 = 6.07710050630396597660e-11;
+  constexpr double kPart3 = 2.02226624879595063154e-21;
+  const double quarters = (radians * (2 / std::numbers::pi) + kRounder) - kRounder;
+  return {quarters, ((radians - quarters * kPart1) - quarters * kPart2) - quarters * kPart3};
+}
+
+/// Minimax polynomials for |r| <= pi / 4 (fdlibm, k_sin.c and k_cos.c).
+HWY_INLINE double sin_polynomial(double r) {
+  const double z = r * r;
+  const double p =
+      -1.66666666666666324348e-01 +
+      z * (8.33333333332248946124e-03 +
+           z * (-1.98412698298579493134e-04 +
+                z * (2.75573137070700676789e-06 +
+                     z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10))));
+  return r + r * z * p;
+}
+
+HWY_INLINE double cos_polynomial(double r) {
+  const double z = r * r;
+  const double p =
+      4.16666666666666019037e-02 +
+      z * (-1.38888888888741095749e-03 +
+           z * (2.48015872894767294178e-05 +
+                z * (-2.75573143513906633035e-07 +
+                     z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))));
+  const double half = 0.5 * z;
+  const double head = 1 - half;
+  return head + (((1 - head) - half) + z * z * p);
+}
+
+HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) {
+  const double s = sin_polynomial(angle.remainder);
+  const double c = cos_polynomial(angle.remainder);
+  // The quarter within a turn: -2, -1, 0, 1 or 2.
+  const double turns = (angle.quarters * 0.25 + kRounder) - kRounder;
+  const double quarter = angle.quarters - 4 * turns;
+  const double size = quarter < 0 ? -quarter : quarter;
+  const double first = size == 1 ? c : s;
+  const double second = size == 1 ? s : c;
+  // Signs as factors: of the sine -1 for quarters 2, -2 and -1, of the cosine for 2, -2 and 1.
+  const double sine_sign = (size == 2 ? -1.0 : 1.0) * (quarter == -1 ? -1.0 : 1.0);
+  const double cosine_sign = (size == 2 ? -1.0 : 1.0) * (quarter == 1 ? -1.0 : 1.0);
+  sine = first * sine_sign;
+  cosine = second * cosine_sign;
+}
+
+/// Sines and cosines of a block of angles in degrees. Multiples of 90 degrees are exact; the error
+/// is below 1.5 units in the last place. What is not finite gives NaN.
+HWY_NOINLINE void sincos_degrees(const double* HWY_RESTRICT angles, double* HWY_RESTRICT sines,
+                                 double* HWY_RESTRICT cosines) {
+  double largest = 0;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    place_quarter(reduce_degrees(angles[i]), sines[i], cosines[i]);
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double size = angles[i] < 0 ? -angles[i] : angles[i];
+    largest = size <= kMostDegrees ? largest : 1;
+  }
+  if (largest == 0) return;
+  for (std::size_t i = 0; i < kBlock; ++i) {  // far or not finite: one at a time
+    if (std::abs(angles[i]) <= kMostDegrees) continue;
+    place_quarter(reduce_degrees(std::remainder(angles[i], 360.0)), sines[i], cosines[i]);
+  }
+}
+
+/// As `sincos_degrees`, for angles in radians.
+HWY_NOINLINE void sincos_radians(const double* HWY_RESTRICT angles, double* HWY_RESTRICT sines,
+                                 double* HWY_RESTRICT cosines) {
+  double largest = 0;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    place_quarter(reduce_radians(angles[i]), sines[i], cosines[i]);
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double size = angles[i] < 0 ? -angles[i] : angles[i];
+    largest = size <= kMostRadians ? largest : 1;
+  }
+  if (largest == 0) return;
+  for (std::size_t i = 0; i < kBlock; ++i) {  // far or not finite: one at a time
+    if (std::abs(angles[i]) <= kMostRadians) continue;
+    sines[i] = std::sin(angles[i]);
+    cosines[i] = std::cos(angles[i]);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kinefile::simd
+HWY_AFTER_NAMESPACE();

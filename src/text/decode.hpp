@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "kinefile/diagnostics.hpp"
+#include "kinefile/result.hpp"
+
+namespace kinefile::text {
+
+/// A text as UTF-8: a view into the bytes where they were UTF-8 already, else into `storage`.
+struct DecodedText {
+  std::string storage;
+  std::string_view passed_through;
+  std::string encoding;  ///< what the bytes were: "utf-8", "utf-16le", "utf-16be", "latin-1", ...
+  bool has_bom = false;
+
+  std::string_view view() const { return storage.empty() ? passed_through : storage; }
+};
+
+/// Decodes bytes to UTF-8 without a byte order mark.
+/// \param encoding  "utf-8", "utf-16le", "utf-16be", "latin-1" or "cp932"; empty: a byte order
+///                  mark decides, else zero bytes show UTF-16, else valid UTF-8 is UTF-8, else
+///                  Latin-1, in which every byte is a character
+/// Bytes that the encoding does not have become U+FFFD, with a warning TXT001; Latin-1 that
+/// nobody asked for is a note TXT002.
+/// \errors TXT003 if the encoding is not known
+Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
+                           const std::string& source_name, Diagnostics& diagnostics);
+
+}  // namespace kinefile::text

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "text/numbers.hpp"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace kinefile::text {
+namespace {
+
+constexpr bool is_token_end(char c) { return is_blank(c) || is_line_end(c); }
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Powers of ten that a double holds exactly.
+constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// The fast path is taken where so many bytes can be looked at without checking for the end.
+constexpr std::ptrdiff_t kFastBytes = 32;
+
+/// Reads what nearly all numbers of motion files look like: a sign, digits, a point, digits, at
+/// most 15 digits in all. Such a number is a quotient of two whole numbers that doubles hold
+/// exactly, so that one division rounds it correctly (Clinger, "How to Read Floating Point Numbers
+/// Accurately", 1990). Null for any other token.
+/// Precondition: kFastBytes bytes can be read.
+inline const char* parse_short_decimal(const char* p, double& value) {
+  constexpr std::ptrdiff_t kMostDigits = 15;
+  const bool is_negative = *p == '-';
+  p += is_negative;
+  std::uint64_t number = 0;
+  const auto take_digits = [&] {
+    const char* const first = p;
+    for (; p - first <= kMostDigits && is_digit(*p); ++p) {
+      number = number * 10 + static_cast<std::uint64_t>(*p - '0');
+    }
+    return p - first;
+  };
+  std::ptrdiff_t num_digits = take_digits();
+  std::ptrdiff_t num_decimals = 0;
+  if (*p == '.') {
+    ++p;
+    num_decimals = num_digits <= kMostDigits ? take_digits() : 0;
+    num_digits += num_decimals;
+  }
+  if (!is_token_end(*p) || num_digits == 0 || num_digits > kMostDigits) return nullptr;
+  // The sign by a product and not by a branch, since signs cannot be foreseen.
+  constexpr double kSigns[] = {1, -1};
+  value = static_cast<double>(number) / kPowersOfTen[num_decimals] * kSigns[is_negative];
+  return p;
+}
+
+/// Reads a finite number in plain notation that fills its token. Null where there is none. Words
+/// such as "nan" are left to `parse_number`, since a row of them is worth a diagnostic.
+inline const char* parse_plain(const char* begin, const char* end, double& value) {
+  if (end - begin >= kFastBytes) {
+    if (const char* next = parse_short_decimal(begin, value)) return next;
+  }
+  if (*begin == '+' && end - begin > 1 && begin[1] != '-') ++begin;
+  const auto [next, error] = fast_float::from_chars(begin, end, value);
+  if (error != std::errc() || !std::isfinite(value)) return nullptr;
+  return next == end || is_token_end(*next) ? next : nullptr;
+}
+
+std::string lower(std::string_view token) {
+  std::string copy(token);
+  std::transform(copy.begin(), copy.end(), copy.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return copy;
+}
+
+/// The spellings of what is not finite, without their sign.
+std::optional<double> parse_special(std::string_view token) {
+  static constexpr std::array<std::string_view, 6> kNans = {"nan",     "1.#ind",   "1.#qnan",
+                                                            "1.#snan", "nan(ind)", "nan(snan)"};
+  static constexpr std::array<std::string_view, 3> kInfinities = {"inf", "infinity", "1.#inf"};
+  if (token.size() > 12) return std::nullopt;
+  std::string word = lower(token);
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.erase(0, 1);
+  // Microsoft's printf pads these with zeros: "-1.#IND00".
+  if (word.find('#') != std::string::npos) word.erase(word.find_last_not_of('0') + 1);
+  const auto is_word = [&](std::string_view known) { return word == known; };
+  if (std::any_of(kNans.begin(), kNans.end(), is_word)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (std::any_of(kInfinities.begin(), kInfinities.end(), is_word)) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return negative ? -infinity : infinity;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Number parse_number(std::string_view token) {
+  if (token.empty()) return {0, NumberFault::NotANumber};
+  if (const auto special = parse_special(token)) return {*special, NumberFault::None};
+  const char* end = token.data() + token.size();
+  const char* begin = token.data() + (token[0] == '+' && token.size() > 1 && token[1] != '-');
+  double value = 0;
+  const auto [next, error] = fast_float::from_chars(begin, end, value);
+  if (error == std::errc() && next == end) {
+    // The words were read above: what is not finite here is "nan(...)" or too large.
+    if (std::isnan(value)) return {0, NumberFault::NotANumber};
+    return {value, std::isinf(value) ? NumberFault::OutOfRange : NumberFault::None};
+  }
+  const std::size_t comma = token.find(',');
+  if (comma != std::string_view::npos && token.find('.') == std::string_view::npos) {
+    std::string pointed(token);
+    pointed[comma] = '.';
+    const Number number = parse_number(pointed);
+    if (number.fault == NumberFault::None) return {number.value, NumberFault::DecimalComma};
+  }
+  return {0, NumberFault::NotANumber};
+}
+
+std::optional<std::size_t> parse_count(std::string_view token) {
+  if (token.empty() || token.size() > 19) return std::nullopt;
+  std::uint64_t count = 0;
+  for (const char c : token) {
+    if (!is_digit(c)) return std::nullopt;
+    count = count * 10 + static_cast<std::uint64_t>(c - '0');
+  }
+  if (count > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
+  if (count > std::numeric_limits<std::size_t>::max()) return std::nullopt;
+  return static_cast<std::size_t>(count);
+}
+
+NumberRow read_number_row(const char* begin, const char* end, double* out, std::size_t capacity) {
+  const char* p = begin;
+  std::size_t count = 0;
+  while (true) {
+    while (p != end && is_blank(*p)) ++p;
+    if (p == end) return {count, RowEnd::EndOfLine, p};
+    if (is_line_end(*p)) {
+      const bool is_crlf = *p == '\r' && p + 1 != end && p[1] == '\n';
+      return {count, RowEnd::EndOfLine, p + (is_crlf ? 2 : 1)};
+    }
+    if (count == capacity) return {count, RowEnd::Full, p};
+    const char* next = parse_plain(p, end, out[count]);
+    if (next == nullptr) return {count, RowEnd::BadToken, p};
+    ++count;
+    p = next;
+  }
+}
+
+}  // namespace kinefile::text

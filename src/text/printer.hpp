@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace kinefile::text {
+
+/// Collects output and hands it on in large pieces.
+class Printer {
+ public:
+  /// \param sink      takes the pieces; false from it ends all printing
+  /// \param decimals  digits after the point of every number; absent: the shortest form that
+  ///                  reads back as the same double
+  explicit Printer(const std::function<bool(std::string_view)>& sink,
+                   std::optional<int> decimals = std::nullopt)
+      : sink_(sink), decimals_(decimals) {}
+
+  void print(std::string_view text);
+  void print(double number);
+  void print(char character) { buffer_.push_back(character); }
+
+  /// Hands on what is left. Returns false if the sink ever did.
+  bool finish();
+
+ private:
+  void hand_on();
+
+  const std::function<bool(std::string_view)>& sink_;
+  std::optional<int> decimals_;
+  fmt::memory_buffer buffer_;
+  bool is_good_ = true;
+};
+
+/// A field of a CSV table, quoted as RFC 4180 says where it must be.
+std::string csv_field(std::string_view text);
+
+/// A text as a JSON string, with its quotes. \param text UTF-8
+std::string json_string(std::string_view text);
+
+}  // namespace kinefile::text

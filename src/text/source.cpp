@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "text/source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace kinefile::text {
+namespace {
+
+constexpr std::size_t kExcerptBytes = 100;
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::vector<std::size_t> find_line_starts(std::string_view text) {
+  std::vector<std::size_t> starts{0};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool lone_cr = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
+    if (text[i] == '\n' || lone_cr) starts.push_back(i + 1);
+  }
+  return starts;
+}
+
+/// Cuts a long line to a window around a column, at the borders of UTF-8 characters.
+void cut_excerpt(std::string_view line, std::size_t column, Diagnostic& diagnostic) {
+  std::size_t begin = 0;
+  std::size_t end = line.size();
+  if (line.size() > kExcerptBytes) {
+    begin = column > kExcerptBytes / 2 ? column - kExcerptBytes / 2 : 0;
+    end = std::min(line.size(), begin + kExcerptBytes);
+    while (begin < end && is_continuation(line[begin])) ++begin;
+    while (end < line.size() && end > begin && is_continuation(line[end])) --end;
+  }
+  diagnostic.excerpt = begin > 0 ? "..." : "";
+  diagnostic.caret = diagnostic.excerpt.size() + column - begin;
+  for (const char c : line.substr(begin, end - begin)) {
+    const auto byte = static_cast<unsigned char>(c);
+    diagnostic.excerpt += (byte < 0x20 && c != '\t') || byte == 0x7F ? '?' : c;
+  }
+  if (end < line.size()) diagnostic.excerpt += "...";
+}
+
+}  // namespace
+
+std::size_t Source::line_index(std::size_t offset) const {
+  if (line_starts_.empty()) line_starts_ = find_line_starts(text_);
+  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  return static_cast<std::size_t>(after - line_starts_.begin()) - 1;
+}
+
+Place Source::place_of(const char* position) const {
+  assert(position >= text_.data() && position <= end());
+  const auto offset = static_cast<std::size_t>(position - text_.data());
+  const std::size_t line = line_index(offset);
+  return {name_, line + 1, offset - line_starts_[line] + 1};
+}
+
+Diagnostic Source::diagnose(Severity severity, std::string code, std::string message,
+                            const char* position) const {
+  Diagnostic diagnostic{severity, std::move(code), std::move(message), place_of(position), {}, 0};
+  const std::size_t start = line_starts_[diagnostic.place.line - 1];
+  const std::size_t length = text_.substr(start).find_first_of("\r\n");
+  const std::size_t column = diagnostic.place.column - 1;
+  const std::string_view line = text_.substr(start, length);
+  cut_excerpt(line, std::min(column, line.size()), diagnostic);
+  return diagnostic;
+}
+
+std::string quoted(std::string_view token) {
+  if (token.empty()) return "the end of the file";
+  constexpr std::size_t kLongest = 40;
+  std::string shown = "'";
+  std::size_t length = std::min(token.size(), kLongest);
+  while (length < token.size() && length > 0 && is_continuation(token[length])) --length;
+  for (const char c : token.substr(0, length)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      shown += fmt::format("\\x{:02x}", byte);
+    } else {
+      shown += c;
+    }
+  }
+  return shown + (length < token.size() ? "...'" : "'");
+}
+
+}  // namespace kinefile::text

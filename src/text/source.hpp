@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/diagnostics.hpp"
+
+namespace kinefile::text {
+
+/// A text and its name. A token is a view into the text, so that its line and column are worked
+/// out only when something is to be said of it.
+class Source {
+ public:
+  /// \param text  UTF-8, must outlive this
+  Source(std::string name, std::string_view text) : name_(std::move(name)), text_(text) {}
+
+  std::string_view text() const { return text_; }
+  const std::string& name() const { return name_; }
+  const char* end() const { return text_.data() + text_.size(); }
+
+  /// The place of a pointer into the text. LF, CRLF and a lone CR end a line.
+  Place place_of(const char* position) const;
+
+  /// A diagnostic about a place in the text, with the line and a caret.
+  Diagnostic diagnose(Severity severity, std::string code, std::string message,
+                      const char* position) const;
+
+ private:
+  /// The start of the line that holds this offset, as an index into line_starts_.
+  std::size_t line_index(std::size_t offset) const;
+
+  std::string name_;
+  std::string_view text_;
+  mutable std::vector<std::size_t> line_starts_;  ///< made when first needed
+};
+
+/// A token as a message may show it: quoted, control characters escaped, long ones cut; an empty
+/// one is "the end of the file".
+std::string quoted(std::string_view token);
+
+}  // namespace kinefile::text

@@ -25,7 +25,8 @@ enum class PositionChannels {
 };
 
 struct ChannelOptions {
-  std::optional<RotationOrder> order;  ///< absent: each joint's own, or ZXY where it has none
+  std::optional<RotationOrder> order =
+      std::nullopt;  ///< absent: each joint's own, or ZXY where it has none
   PositionChannels positions = PositionChannels::AsIs;
   bool lenient = false;  ///< drop positions that change, with a warning
 };

@@ -24,15 +24,18 @@ enum class PositionMode {
 struct ReadOptions {
   std::string source_name = "<memory>";  ///< how diagnostics call the input
   bool lenient = false;                  ///< repair what docs/errors.md names, with a warning each
-  std::string encoding;  ///< "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect
+  std::string encoding =
+      {};  ///< "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect
   PositionMode positions = PositionMode::Replace;
-  std::optional<double> fps;  ///< overrides the file's frame rate, or says what it does not
+  std::optional<double> fps =
+      std::nullopt;  ///< overrides the file's frame rate, or says what it does not
 };
 
 /// How to write a file.
 struct WriteOptions {
-  std::optional<int> decimals;  ///< digits after the point; absent: the shortest exact form
-  bool lenient = false;         ///< go on where something would be lost, with a warning
+  std::optional<int> decimals =
+      std::nullopt;      ///< digits after the point; absent: the shortest exact form
+  bool lenient = false;  ///< go on where something would be lost, with a warning
 };
 
 /// Takes the next piece of the output; returns false to stop.

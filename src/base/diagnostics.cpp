@@ -92,7 +92,7 @@ std::string to_string(const Diagnostic& diagnostic) {
   if (!text.empty()) text += ": ";
   text += fmt::format("{}[{}]: {}", severity_name(diagnostic.severity), diagnostic.code,
                       diagnostic.message);
-  if (place.line > 0) {
+  if (place.line > 0 && !diagnostic.excerpt.empty()) {
     const std::string_view before =
         std::string_view(diagnostic.excerpt).substr(0, diagnostic.caret);
     text += fmt::format("\n  {}\n  {}^", diagnostic.excerpt, blanks_for(before));

@@ -58,6 +58,7 @@ struct Context {
   const Motion& motion;
   const ChannelOptions& options;
   Diagnostics& diagnostics;
+  bool adds_positions = false;
 };
 
 /// The one value that a column has in every frame, bit for bit, if it does not change.
@@ -101,13 +102,18 @@ Result<void> drop_positions(const Context& context, const Joint& joint, JointCha
   return {};
 }
 
-/// Keeps the joint's position channels and adds those that it lacks: they stand in the place of
-/// the offset's component, or are added to it as the joint's other ones are.
-void complete_positions(const Joint& joint, JointChange& change) {
-  const bool is_added =
-      std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
-        return dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0;
-      });
+/// Whether position channels are added to offsets, as BVH's `--positions add` reads them, and do
+/// not replace them. A file has one way for all of its joints.
+bool adds_positions(const Skeleton& skeleton) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
+    return std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
+      return dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0;
+    });
+  });
+}
+
+/// Keeps the joint's position channels and adds those that it lacks.
+void complete_positions(const Context& context, const Joint& joint, JointChange& change) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const auto found =
@@ -119,7 +125,7 @@ void complete_positions(const Joint& joint, JointChange& change) {
       add_column(change, {NewColumn::From::Column, found->coordinate, 0, 0}, channel, *found);
       continue;
     }
-    const double value = is_added ? 0 : std::exchange(change.offset[axis], 0.0);
+    const double value = context.adds_positions ? 0 : std::exchange(change.offset[axis], 0.0);
     add_column(change, {NewColumn::From::Constant, 0, value, 0}, channel,
                DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, value});
   }
@@ -212,7 +218,7 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
                  channel_name(DofKind::Translation, *axis_of(dof)), dof);
     }
   } else if (has_positions) {
-    complete_positions(joint, change);
+    complete_positions(context, joint, change);
   } else if (auto dropped = drop_positions(context, joint, change); !dropped) {
     return fail(std::move(dropped.error()));
   }
@@ -278,7 +284,7 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const Context context{motion, options, diagnostics};
+  const Context context{motion, options, diagnostics, adds_positions(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();

@@ -96,7 +96,7 @@ std::optional<PositionGuess> guess_from_node(const File& file, const Node& node,
   const std::size_t column = first_column + static_cast<std::size_t>(found - node.channels.begin());
   const double offset = node.offset[axis];
   const double from_zero = median_distance(file, column, 0);
-  const bool is_added = from_zero < std::abs(offset) / 2;
+  const bool is_added = from_zero < std::abs(offset) / 4;
   return PositionGuess{is_added ? PositionMode::Add : PositionMode::Replace, true,
                        fmt::format("the {} of '{}' starts {} from zero, and its OFFSET is {}",
                                    spelling(*found), node.name, from_zero, offset)};

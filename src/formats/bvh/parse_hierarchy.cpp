@@ -132,6 +132,7 @@ void parse_offset(Hierarchy& h, std::string_view keyword) {
     const std::string_view token = h.scanner().peek();
     const auto value = parse_value(h.parser, token, code::kBadOffset, "3 numbers after OFFSET");
     if (!value) {
+      h.is_cut_off |= token.empty();
       if (!is_structure_word(token)) h.scanner().take_name();
       return;
     }
@@ -170,6 +171,7 @@ void parse_channels(Hierarchy& h, std::string_view keyword) {
   }
   block.has_channels = true;
   const std::string_view token = h.scanner().peek();
+  if (token.empty()) return report_structure(h, "a count after CHANNELS", token);
   const auto claim = text::parse_count(token);
   if (!claim || *claim > kMaxChannels) {
     h.parser.report(Severity::Error, code::kBadChannelCount,
@@ -233,6 +235,9 @@ bool parse_in_node(Hierarchy& h, std::string_view word) {
     report_structure(h, fmt::format("'}}' to close '{}'", open.name), word);
     h.scanner().move_to(word.data());
     return false;
+  } else if (equals_ignoring_case(word, "ROOT")) {
+    report_structure(h, "JOINT within a joint", word);
+    open_node(h, "ROOT", node);
   } else {
     skip_wrong_word(h, "OFFSET, CHANNELS, JOINT, End Site or '}'", word);
   }

@@ -267,11 +267,11 @@ void check_tokens(Parser& parser) {
 void compare_with_claim(Rows& rows) {
   const std::size_t num_frames = rows.file().num_frames;
   if (!rows.claim || rows.parser.diagnostics.has_errors() || *rows.claim == num_frames) return;
-  rows.parser.report(Severity::Warning,
-                     num_frames > *rows.claim ? code::kMoreRows : code::kFewerRows,
-                     fmt::format("expected {} frames, as Frames says, found {}; those are read",
-                                 *rows.claim, num_frames),
-                     rows.claim_at);
+  rows.parser.report(
+      Severity::Warning, num_frames > *rows.claim ? code::kMoreRows : code::kFewerRows,
+      fmt::format("expected as many rows as Frames says, {}, found {}; those are read", *rows.claim,
+                  num_frames),
+      rows.claim_at);
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+# The front door. Each target installs what it needs, builds what it needs, and does nothing twice.
+.DEFAULT_GOAL := help
+PREFIX ?= /usr/local
+FUZZ_SECONDS ?= 600
+
+.PHONY: help demo test bench install fuzz lint format clean
+
+help:
+	@echo 'make demo     build kinefile and show what it does on a walk that it makes itself'
+	@echo 'make test     build and run all tests; what CI runs'
+	@echo 'make bench    measure against named baselines in one run'
+	@echo 'make install  install the command, the library, the man page (PREFIX=$(PREFIX))'
+	@echo 'make fuzz     fuzz the readers (FUZZ_SECONDS=$(FUZZ_SECONDS))'
+	@echo 'make lint     clang-tidy over the library and the command'
+	@echo 'make format   lay out the code with clang-format'
+	@echo 'make clean    remove build/'
+
+demo:
+	@tools/setup.sh demo
+	@tools/build.sh demo kinefile_command make_walk
+	@tools/demo.sh build/release build/demo
+
+test:
+	@tools/setup.sh test
+	@tools/test.sh
+
+bench:
+	@tools/setup.sh bench
+	@tools/build.sh bench kinefile_bench
+	@build/release/kinefile_bench
+
+install:
+	@tools/setup.sh demo
+	@tools/build.sh demo
+	@cmake --install build/release --prefix '$(PREFIX)'
+
+fuzz:
+	@tools/setup.sh test
+	@tools/build.sh fuzz
+	@tools/fuzz.sh $(FUZZ_SECONDS)
+
+lint:
+	@tools/setup.sh test
+	@tools/build.sh release
+	@tools/lint.sh
+
+format:
+	@tools/setup.sh test
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
+
+clean:
+	@rm -rf build

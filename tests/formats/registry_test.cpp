@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "kinefile/format.hpp"
+#include "support/support.hpp"
+
+namespace kinefile {
+namespace {
+
+TEST(Registry, NamesAndExtensionsAreUnique) {
+  std::set<std::string_view> words;
+  for (const Format& format : formats()) {
+    EXPECT_TRUE(words.insert(format.name).second) << format.name;
+    for (const std::string_view extension : format.extensions) {
+      EXPECT_TRUE(extension.starts_with('.'));
+      EXPECT_TRUE(words.insert(extension).second) << extension;
+    }
+    EXPECT_TRUE(format.read != nullptr || format.write != nullptr) << format.name;
+  }
+}
+
+TEST(Registry, FindsFormats) {
+  EXPECT_EQ(find_format("bvh")->name, "bvh");
+  EXPECT_EQ(find_format("none"), nullptr);
+  EXPECT_EQ(format_of_name("a/b.BVH")->name, "bvh");
+  EXPECT_EQ(format_of_name("bvh"), nullptr);
+  EXPECT_EQ(detect_format("\xEF\xBB\xBF\n # x\nhierarchy\n", "x.json")->name, "bvh");
+  EXPECT_EQ(detect_format("", "x.json")->name, "json");
+  EXPECT_EQ(detect_format("what", "x"), nullptr);
+}
+
+TEST(Json, ShowsSkeletonColumnsAndValues) {
+  const auto read = test::read_bvh(test::bvh_with_rows({"1 2 3 nan inf 0 -inf 0 -0"}));
+  const std::string text = test::write_to_string(*read.document, "json");
+  EXPECT_NE(text.find("{\"name\":\"A\",\"parent\":\"Hips\",\"offset\":[1,2,3]"), std::string::npos);
+  EXPECT_NE(text.find("\"frame_time\":0.04,\n\"columns\":[\"Hips.Xposition\",\"Hips.Yposition\""),
+            std::string::npos);
+  EXPECT_NE(text.find("\"values\":[[1,2,3,\"nan\",\"inf\",0,\"-inf\",0,-0]]}\n"),
+            std::string::npos);
+}
+
+TEST(Csv, ShowsTimesAndColumns) {
+  const auto read =
+      test::read_bvh(test::bvh_with_rows({"1 2 3 4 5 6 7 8 9", "0 0 0 0 0 0 0 0 .5"}));
+  EXPECT_EQ(test::write_to_string(*read.document, "csv"),
+            "time,Hips.Xposition,Hips.Yposition,Hips.Zposition,Hips.Zrotation,Hips.Xrotation,"
+            "Hips.Yrotation,A.Zrotation,A.Xrotation,A.Yrotation\n"
+            "0,1,2,3,4,5,6,7,8,9\n"
+            "0.04,0,0,0,0,0,0,0,0,0.5\n");
+}
+
+}  // namespace
+}  // namespace kinefile

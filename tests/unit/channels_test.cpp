@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kinefile/compare.hpp"
+#include "kinefile/edit.hpp"
+#include "support/support.hpp"
+#include "walk.hpp"
+
+namespace kinefile {
+namespace {
+
+Motion changed(const Motion& motion, const ChannelOptions& options) {
+  Diagnostics diagnostics;
+  auto result = with_channels(motion, options, diagnostics);
+  EXPECT_TRUE(result) << to_string(result.error());
+  EXPECT_TRUE(validate(result->skeleton));
+  return result ? std::move(*result) : Motion{};
+}
+
+std::string channels_of(const Motion& motion, std::size_t joint) {
+  std::string text;
+  for (const Coordinate& coordinate : motion.skeleton.coordinates) {
+    if (coordinate.joint == joint) text += coordinate.channel + " ";
+  }
+  return text;
+}
+
+double distance(const Motion& a, const Motion& b) {
+  const MotionComparison comparison = compare_motions(a, b);
+  return std::max(comparison.distance.value, comparison.tip_distance.value);
+}
+
+double largest_step(const Clip& clip) {
+  double largest = 0;
+  for (std::size_t f = 1; f < clip.num_frames; ++f) {
+    for (std::size_t c = 3; c < clip.num_coordinates; ++c) {
+      largest = std::max(largest, std::abs(clip.row(f)[c] - clip.row(f - 1)[c]));
+    }
+  }
+  return largest;
+}
+
+/// A root that slides and turns on, and a joint with channels of its own for all but x.
+constexpr char kMixed[] =
+    "HIERARCHY\nROOT r\n{\nOFFSET 1 2 3\nCHANNELS 4 Yposition Zrotation Yrotation Xrotation\n"
+    "JOINT a\n{\nOFFSET 4 5 6\nCHANNELS 3 Zposition Yposition Zrotation\n"
+    "JOINT b\n{\nOFFSET 0 7 0\nCHANNELS 2 Zrotation Xscale\nEnd Site\n{\nOFFSET 1 1 1\n}\n}\n}\n}\n"
+    "MOTION\nFrames: 3\nFrame Time: 0.1\n"
+    "9 10 20 30 6 5 40 50 2\n"
+    "8 15 25 35 6 5 45 55 2\n"
+    "7 20 30 40 6 5 50 60 2\n";
+
+TEST(WithChannels, EveryOrderPlacesTheSame) {
+  const Motion walk = examples::make_walk({.num_frames = 100});
+  for (const char* word : {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "ZXZ", "XYX"}) {
+    const Motion other = changed(walk, {.order = parse_rotation_order(word)});
+    EXPECT_LT(distance(walk, other), 1e-12) << word;
+    EXPECT_LT(largest_step(other.clip), 180) << word;
+  }
+}
+
+TEST(WithChannels, AnOrderThatIsThereKeepsEveryBit) {
+  const Motion walk = examples::make_walk({.num_frames = 50});
+  const Motion same = changed(walk, {.order = parse_rotation_order("ZXY")});
+  EXPECT_EQ(same.clip.values, walk.clip.values);
+}
+
+TEST(WithChannels, TurnsBeyondHalfACircleGoOn) {
+  std::vector<std::string> rows;
+  for (int f = 0; f < 40; ++f) {
+    rows.push_back("0 0 0 10 20 " + std::to_string(f * 30) + " 0 0 0");
+  }
+  const Motion spin = test::motion_of(test::bvh_with_rows(rows));
+  const Motion other = changed(spin, {.order = parse_rotation_order("YXZ")});
+  EXPECT_LT(distance(spin, other), 1e-12);
+  EXPECT_LT(largest_step(other.clip), 60);
+  EXPECT_GT(std::abs(other.clip.row(39)[3] - other.clip.row(0)[3]), 1000);
+}
+
+TEST(WithChannels, AsIsKeepsPositionsScalesAndSingleRotations) {
+  const Motion mixed = test::motion_of(kMixed);
+  const Motion other = changed(mixed, {.order = parse_rotation_order("XYZ")});
+  EXPECT_EQ(channels_of(other, 0), "Yposition Xrotation Yrotation Zrotation ");
+  EXPECT_EQ(channels_of(other, 1), "Zposition Yposition Zrotation ");
+  EXPECT_EQ(channels_of(other, 2), "Zrotation Xscale ");
+  EXPECT_LT(distance(mixed, other), 1e-12);
+}
+
+TEST(WithChannels, AllGivesSixChannelsToEveryJoint) {
+  const Motion mixed = test::motion_of(kMixed);
+  const Motion all = changed(mixed, {.order = std::nullopt, .positions = PositionChannels::All});
+  EXPECT_EQ(channels_of(all, 0), "Xposition Yposition Zposition Zrotation Yrotation Xrotation ");
+  EXPECT_EQ(channels_of(all, 1), "Xposition Yposition Zposition Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(channels_of(all, 2),
+            "Xposition Yposition Zposition Zrotation Xrotation Yrotation Xscale ");
+  EXPECT_EQ(distance(mixed, all), 0);
+}
+
+TEST(WithChannels, RootPutsPositionsThatStayIntoTheOffset) {
+  const Motion mixed = test::motion_of(kMixed);
+  const Motion root = changed(mixed, {.order = std::nullopt, .positions = PositionChannels::Root});
+  EXPECT_EQ(channels_of(root, 0), "Xposition Yposition Zposition Zrotation Yrotation Xrotation ");
+  EXPECT_EQ(channels_of(root, 1), "Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(root.skeleton.joints[1].offset, Vec3(4, 5, 6));
+  EXPECT_EQ(distance(mixed, root), 0);
+}
+
+TEST(WithChannels, RootRefusesToLosePositionsThatMove) {
+  std::string moving = kMixed;
+  moving.replace(moving.find("7 20 30 40 6"), 12, "7 20 30 40 8");
+  const Motion mixed = test::motion_of(moving);
+  Diagnostics diagnostics;
+  ChannelOptions options;
+  options.positions = PositionChannels::Root;
+  const auto refused = with_channels(mixed, options, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(refused.error().code, "EDT001");
+  EXPECT_EQ(refused.error().message,
+            "joint 'a' moves along z, which is lost without its position channels");
+  options.lenient = true;
+  EXPECT_TRUE(with_channels(mixed, options, diagnostics));
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT001"});
+}
+
+TEST(WithChannels, PositionsThatAreAddedStayAdded) {
+  ReadOptions options;
+  options.positions = PositionMode::Add;
+  const auto added = test::read_bvh(kMixed, options);
+  const Motion all =
+      changed(added.motion(), {.order = std::nullopt, .positions = PositionChannels::All});
+  EXPECT_LT(distance(added.motion(), all), 1e-15);
+  Document document;
+  document.content = all;
+  const auto again = test::read_bvh(test::write_to_string(document), options);
+  EXPECT_LT(distance(added.motion(), again.motion()), 1e-15);
+}
+
+TEST(WithChannels, ARobotCannotHaveThem) {
+  Motion robot;
+  Joint base;
+  base.name = "base";
+  base.dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  robot.skeleton.joints = {base};
+  robot.skeleton.coordinates.resize(7);
+  robot.clip.num_coordinates = 7;
+  Diagnostics diagnostics;
+  const auto refused = with_channels(robot, {.order = parse_rotation_order("XYZ")}, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "EDT002");
+}
+
+TEST(ParseRotationOrder, TakesTwelveOrders) {
+  EXPECT_EQ(parse_rotation_order("zxy"), (RotationOrder{2, 0, 1}));
+  EXPECT_EQ(parse_rotation_order("ZXZ"), (RotationOrder{2, 0, 2}));
+  for (const char* word : {"", "XY", "XXY", "XYY", "XYW", "XYZX"}) {
+    EXPECT_FALSE(parse_rotation_order(word)) << word;
+  }
+}
+
+}  // namespace
+}  // namespace kinefile

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/support.hpp"
+#include "walk.hpp"
+
+namespace kinefile {
+namespace {
+
+TEST(CompareMotions, AMotionAgreesWithItself) {
+  const Motion walk = examples::make_walk({.num_frames = 600});
+  const MotionComparison comparison = compare_motions(walk, walk);
+  EXPECT_EQ(comparison.distance.value, 0);
+  EXPECT_EQ(comparison.tip_distance.value, 0);
+  EXPECT_EQ(comparison.rotation.value, 0);
+  EXPECT_TRUE(comparison.only_in_first.empty());
+}
+
+TEST(CompareMotions, SaysWhereAndWhenTheyDiffer) {
+  const Motion a = test::motion_of(test::bvh_with_rows({"0 0 0 0 0 0 0 0 0", "0 0 0 0 0 0 0 0 0"}));
+  Motion b = a;
+  b.clip.row(1)[3] = 90;
+  const MotionComparison comparison = compare_motions(a, b);
+  EXPECT_EQ(comparison.rotation.joint, "Hips");
+  EXPECT_NEAR(comparison.rotation.value, 90, 1e-12);
+  EXPECT_EQ(comparison.distance.joint, "A");
+  EXPECT_EQ(comparison.distance.frame, 1u);
+  EXPECT_EQ(comparison.distance.time, 0.04);
+  EXPECT_NEAR(comparison.distance.value, std::sqrt(10.0), 1e-15);
+  EXPECT_EQ(comparison.tip_distance.joint, "A.tip");
+}
+
+TEST(CompareMotions, MatchesTimesAndNotFrames) {
+  const Motion slow = examples::make_walk({.num_frames = 31, .frame_rate = 30});
+  const Motion fast = examples::make_walk({.num_frames = 121, .frame_rate = 120});
+  const MotionComparison comparison = compare_motions(slow, fast);
+  EXPECT_LT(comparison.distance.value, 2e-6) << "values are rounded to six decimals";
+  EXPECT_EQ(comparison.num_frames_first, 31u);
+  EXPECT_EQ(comparison.num_frames_second, 121u);
+}
+
+TEST(CompareMotions, NamesJointsThatOneOfThemLacks) {
+  const Motion walk = examples::make_walk({.num_frames = 2});
+  Motion other = walk;
+  other.skeleton.joints[5].name = "Skull";
+  const MotionComparison comparison = compare_motions(walk, other);
+  EXPECT_EQ(comparison.only_in_first, std::vector<std::string>{"Head"});
+  EXPECT_EQ(comparison.only_in_second, std::vector<std::string>{"Skull"});
+}
+
+TEST(CompareMotions, NanAgreesWithNanAlone) {
+  const Motion a = test::motion_of(test::bvh_with_rows({"0 0 0 0 0 0 0 0 0"}));
+  Motion b = a;
+  b.clip.values[0] = NAN;
+  EXPECT_EQ(compare_motions(b, b).distance.value, 0);
+  EXPECT_EQ(compare_motions(a, b).distance.value, INFINITY);
+}
+
+TEST(CompareMotions, EmptyMotionsHaveNothingToCompare) {
+  Motion walk = examples::make_walk({.num_frames = 3});
+  const Motion empty = examples::make_walk({.num_frames = 0});
+  EXPECT_EQ(compare_motions(walk, empty).distance.joint, "");
+  EXPECT_EQ(compare_motions(empty, walk).num_frames_second, 3u);
+}
+
+}  // namespace
+}  // namespace kinefile

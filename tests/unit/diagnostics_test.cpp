@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/diagnostics.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kinefile {
+namespace {
+
+Diagnostic warning(std::string code) {
+  return {Severity::Warning, std::move(code), "something", {"a.bvh", 3, 5}, "one two", 4};
+}
+
+TEST(Diagnostics, FormatsPlaceSeverityCodeAndCaret) {
+  EXPECT_EQ(to_string(warning("BVH001")),
+            "a.bvh:3:5: warning[BVH001]: something\n"
+            "  one two\n"
+            "      ^");
+}
+
+TEST(Diagnostics, FormatsWithoutAPlace) {
+  EXPECT_EQ(to_string(make_error(ErrorKind::Io, "IO001", "cannot read", "a.bvh")),
+            "a.bvh: error[IO001]: cannot read");
+  EXPECT_EQ(to_string(make_error(ErrorKind::Usage, "CLI001", "no")), "error[CLI001]: no");
+}
+
+TEST(Diagnostics, CaretStandsUnderTheCharacterAfterTabsAndWideOnes) {
+  Diagnostic item = warning("BVH001");
+  item.excerpt = "\t\xE5\x8F\xB3 x";  // a tab and a character two columns wide
+  item.caret = 5;
+  EXPECT_EQ(to_string(item),
+            "a.bvh:3:5: warning[BVH001]: something\n"
+            "  \t\xE5\x8F\xB3 x\n"
+            "  \t   ^");
+}
+
+TEST(Diagnostics, CountsBySeverityAndCode) {
+  Diagnostics diagnostics;
+  diagnostics.add(warning("BVH001"));
+  diagnostics.add(warning("BVH002"));
+  diagnostics.add(warning("BVH001"));
+  EXPECT_EQ(diagnostics.count(Severity::Warning), 3u);
+  EXPECT_EQ(diagnostics.count_of("BVH001"), 2u);
+  EXPECT_EQ(diagnostics.count_of("BVH009"), 0u);
+  EXPECT_FALSE(diagnostics.has_errors());
+}
+
+TEST(Diagnostics, StrictMakesWarningsErrors) {
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = true;
+  diagnostics.add(warning("BVH001"));
+  ASSERT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(diagnostics.first_error().code, "BVH001");
+  EXPECT_EQ(diagnostics.first_error().severity, Severity::Error);
+}
+
+TEST(Diagnostics, KeepsOnlySoManyOfOneCodeButCountsAll) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < Diagnostics::kMaxPerCode + 5; ++i) diagnostics.add(warning("BVH1"));
+  diagnostics.add(warning("BVH2"));
+  EXPECT_EQ(diagnostics.items().size(), Diagnostics::kMaxPerCode + 1);
+  EXPECT_EQ(diagnostics.count_of("BVH1"), Diagnostics::kMaxPerCode + 5);
+}
+
+}  // namespace
+}  // namespace kinefile

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/io.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/support.hpp"
+
+namespace kinefile {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class Io : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = fs::temp_directory_path() / "kinefile-test.XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ / name; }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  std::size_t num_files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Io, ReadsBytes) {
+  put("a", "hello");
+  EXPECT_EQ(FileBytes::open(path("a"))->view(), "hello");
+  put("empty", "");
+  EXPECT_EQ(FileBytes::open(path("empty"))->view(), "");
+}
+
+TEST_F(Io, SaysWhyAFileCannotBeRead) {
+  const auto missing = FileBytes::open(path("none"));
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, "IO001");
+  EXPECT_EQ(missing.error().kind, ErrorKind::Io);
+  EXPECT_EQ(missing.error().message, "cannot read: No such file or directory");
+}
+
+TEST_F(Io, AFileAppearsWholeOrNotAtAll) {
+  {
+    auto file = OutputFile::create(path("a"), false);
+    ASSERT_TRUE(file);
+    EXPECT_TRUE(file->write("half"));
+    EXPECT_FALSE(fs::exists(path("a")));
+  }
+  EXPECT_EQ(num_files(), 0u) << "an uncommitted file leaves nothing behind";
+  auto file = OutputFile::create(path("a"), false);
+  ASSERT_TRUE(file->write("whole"));
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(test::bytes_of(path("a")), "whole");
+}
+
+TEST_F(Io, AnExistingFileIsReplacedOnlyOnRequest) {
+  put("a", "old");
+  const auto refused = OutputFile::create(path("a"), false);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "IO002");
+  auto file = OutputFile::create(path("a"), true);
+  ASSERT_TRUE(file->write("new"));
+  EXPECT_EQ(test::bytes_of(path("a")), "old");
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(test::bytes_of(path("a")), "new");
+}
+
+TEST_F(Io, AFileThatAppearsMeanwhileIsNotReplaced) {
+  {
+    auto file = OutputFile::create(path("a"), false);
+    ASSERT_TRUE(file->write("ours"));
+    put("a", "theirs");
+    EXPECT_FALSE(file->commit());
+  }
+  EXPECT_EQ(test::bytes_of(path("a")), "theirs");
+  EXPECT_EQ(num_files(), 1u);
+}
+
+TEST_F(Io, ALinkStaysALink) {
+  put("target", "old");
+  fs::create_symlink(path("target"), path("link"));
+  auto file = OutputFile::create(path("link"), true);
+  ASSERT_TRUE(file->write("new"));
+  ASSERT_TRUE(file->commit());
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(test::bytes_of(path("target")), "new");
+}
+
+TEST_F(Io, AReplacedFileKeepsItsRights) {
+  put("a", "old");
+  chmod(path("a").c_str(), 0640);
+  auto file = OutputFile::create(path("a"), true);
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0640));
+}
+
+TEST_F(Io, SaysWhyAFileCannotBeWritten) {
+  const auto file = OutputFile::create(path("none/a"), false);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().code, "IO003");
+}
+
+TEST_F(Io, AFullDiskIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  auto file = OutputFile::create("/dev/full", false);
+  ASSERT_TRUE(file);
+  EXPECT_FALSE(file->write(std::string(100'000, 'x')));
+  EXPECT_FALSE(file->commit());
+}
+
+TEST_F(Io, FindsTheFormatByContentThenByName) {
+  const std::string bvh = test::bvh_with_rows({"0 0 0 0 0 0 0 0 0"});
+  put("walk.txt", bvh);
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_file(path("walk.txt"), nullptr, {}, diagnostics));
+  put("odd.BVH", "not a motion");
+  EXPECT_FALSE(read_file(path("odd.BVH"), nullptr, {}, diagnostics));
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"BVH001"});
+  put("odd.xyz", "not a motion");
+  Diagnostics none;
+  const auto unknown = read_file(path("odd.xyz"), nullptr, {}, none);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, "FMT001");
+  const auto csv = read_file(path("odd.xyz"), find_format("csv"), {}, none);
+  ASSERT_FALSE(csv);
+  EXPECT_EQ(csv.error().message, "csv is only written, not read; what is read: bvh");
+}
+
+TEST_F(Io, RefusedDocumentsLeaveNoFile) {
+  Document document;
+  document.content = Skeleton{};
+  Diagnostics diagnostics;
+  EXPECT_FALSE(write_file(path("a.csv"), document, *find_format("csv"), {}, false, diagnostics));
+  EXPECT_EQ(num_files(), 0u);
+}
+
+}  // namespace
+}  // namespace kinefile

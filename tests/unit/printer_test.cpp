@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "text/printer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <string>
+
+namespace kinefile::text {
+namespace {
+
+std::string printed(double number, std::optional<int> decimals = std::nullopt) {
+  std::string text;
+  const std::function<bool(std::string_view)> sink = [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  };
+  Printer printer(sink, decimals);
+  printer.print(number);
+  EXPECT_TRUE(printer.finish());
+  return text;
+}
+
+TEST(Printer, PrintsTheShortestExactForm) {
+  EXPECT_EQ(printed(35), "35");
+  EXPECT_EQ(printed(0.1), "0.1");
+  EXPECT_EQ(printed(-0.0), "-0");
+  EXPECT_EQ(printed(0.0333333), "0.0333333");
+  EXPECT_EQ(printed(1e-7), "1e-07");
+  EXPECT_EQ(printed(NAN), "nan");
+  EXPECT_EQ(printed(-NAN), "nan");
+  EXPECT_EQ(printed(-INFINITY), "-inf");
+}
+
+TEST(Printer, PrintsWhatReadsBackAsTheSameBits) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20'000; ++i) {
+    double value = 0;
+    const std::uint64_t pattern = random();
+    std::memcpy(&value, &pattern, sizeof value);
+    if (!std::isfinite(value)) continue;
+    EXPECT_EQ(std::strtod(printed(value).c_str(), nullptr), value);
+  }
+}
+
+TEST(Printer, PrintsSoManyDecimals) {
+  EXPECT_EQ(printed(1.0 / 3, 4), "0.3333");
+  EXPECT_EQ(printed(2, 2), "2.00");
+  EXPECT_EQ(printed(-1.5, 0), "-2");
+}
+
+TEST(Printer, StopsWhenTheSinkDoes) {
+  int num_pieces = 0;
+  const std::function<bool(std::string_view)> sink = [&num_pieces](std::string_view) {
+    ++num_pieces;
+    return false;
+  };
+  Printer printer(sink);
+  for (int i = 0; i < 10; ++i) printer.print(std::string(100'000, 'x'));
+  EXPECT_FALSE(printer.finish());
+  EXPECT_EQ(num_pieces, 1);
+}
+
+TEST(CsvField, QuotesAsRfc4180Says) {
+  EXPECT_EQ(csv_field("Hips"), "Hips");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("a\"b"), "\"a\"\"b\"");
+  EXPECT_EQ(csv_field("a b"), "a b");
+}
+
+TEST(JsonString, EscapesWhatJsonEscapes) {
+  EXPECT_EQ(json_string("a\"\\\n"), "\"a\\\"\\\\\\u000a\"");
+  EXPECT_EQ(json_string("\xE5\x8F\xB3"), "\"\xE5\x8F\xB3\"");
+}
+
+}  // namespace
+}  // namespace kinefile::text

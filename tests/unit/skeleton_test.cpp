@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/skeleton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace kinefile {
+namespace {
+
+/// Two joints: a free root, and a hinge about y on it.
+Skeleton robot() {
+  Skeleton skeleton;
+  Joint root;
+  root.name = "base";
+  root.dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  Joint hinge;
+  hinge.name = "hinge";
+  hinge.parent = 0;
+  hinge.offset = {0, 0, 1};
+  hinge.dofs = {{DofKind::Rotation, Vec3::UnitY(), 7, 0.5}};
+  hinge.tips = {{"", {1, 0, 0}}, {"palm", {2, 0, 0}}};
+  skeleton.joints = {root, hinge};
+  for (const char* channel : {"x", "y", "z", "qw", "qx", "qy", "qz"}) {
+    skeleton.coordinates.push_back({0, channel});
+  }
+  skeleton.coordinates.push_back({1, "q"});
+  return skeleton;
+}
+
+std::string fault_of(const Skeleton& skeleton) {
+  const auto result = validate(skeleton);
+  return result ? "" : result.error().message;
+}
+
+TEST(Skeleton, ARobotIsValid) { EXPECT_EQ(fault_of(robot()), ""); }
+
+TEST(Skeleton, ParentsComeFirst) {
+  Skeleton skeleton = robot();
+  skeleton.joints[0].parent = 1;
+  EXPECT_EQ(fault_of(skeleton), "joint 'base' comes before its parent");
+  skeleton.joints[0].parent = 0;
+  EXPECT_EQ(fault_of(skeleton), "joint 'base' comes before its parent");
+}
+
+TEST(Skeleton, CoordinatesExist) {
+  Skeleton skeleton = robot();
+  skeleton.joints[1].dofs[0].coordinate = 8;
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' reads coordinate 8 of 8");
+  skeleton = robot();
+  skeleton.joints[0].dofs[0].coordinate = 2;
+  EXPECT_EQ(fault_of(skeleton), "joint 'base' reads coordinate 2 of 8");
+  skeleton = robot();
+  skeleton.coordinates[3].joint = 2;
+  EXPECT_EQ(fault_of(skeleton), "coordinate 3 belongs to no joint");
+}
+
+TEST(Skeleton, AxesHaveUnitLength) {
+  Skeleton skeleton = robot();
+  skeleton.joints[1].dofs[0].axis = {0, 1, 1e-3};
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has an axis that is not of unit length");
+  skeleton.joints[1].dofs[0].axis = {0, NAN, 0};
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has an axis that is not of unit length");
+}
+
+TEST(Skeleton, NumbersAreFinite) {
+  Skeleton skeleton = robot();
+  skeleton.joints[1].offset[1] = INFINITY;
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has an offset that is not finite");
+  skeleton = robot();
+  skeleton.joints[1].tips[1].offset[1] = NAN;
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a tip that is not finite");
+  skeleton = robot();
+  skeleton.joints[1].dofs[0].rest = NAN;
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a rest value that is not finite");
+  skeleton = robot();
+  skeleton.joints[1].rest_rotation = Quat(2, 0, 0, 0);
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a rest rotation that is not of unit length");
+}
+
+TEST(Skeleton, TranslationsPrecedeRotations) {
+  Skeleton skeleton = robot();
+  skeleton.joints[1].dofs.push_back({DofKind::Translation, Vec3::UnitX(), 7, 0});
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' translates after it rotates");
+}
+
+TEST(Skeleton, AFreeJointMovesInNoOtherWay) {
+  Skeleton skeleton = robot();
+  skeleton.joints[0].dofs.push_back({DofKind::Rotation, Vec3::UnitX(), 7, 0});
+  EXPECT_EQ(fault_of(skeleton), "joint 'base' is free and moves in another way, too");
+}
+
+TEST(Skeleton, RestCoordinates) {
+  EXPECT_EQ(rest_coordinates(robot()), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0.5}));
+}
+
+TEST(Skeleton, RestOffsetHoldsTheRestOfTranslations) {
+  Joint joint;
+  joint.offset = {1, 0, 0};
+  joint.rest_rotation = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
+  joint.dofs = {{DofKind::Translation, Vec3::UnitX(), 0, 5}};
+  EXPECT_LT((rest_offset(joint) - Vec3(1, 5, 0)).norm(), 1e-15);
+}
+
+TEST(Skeleton, CountsAndNames) {
+  const Skeleton skeleton = robot();
+  EXPECT_EQ(num_dofs(skeleton), 7u);
+  EXPECT_EQ(num_tips(skeleton), 2u);
+  EXPECT_EQ(tip_label(skeleton.joints[1], 0), "hinge.tip");
+  EXPECT_EQ(tip_label(skeleton.joints[1], 1), "hinge.tip2");
+  EXPECT_EQ(column_names(skeleton)[3], "base.qw");
+  EXPECT_EQ(column_names(skeleton)[7], "hinge.q");
+  EXPECT_EQ(children_of_joints(skeleton)[0], std::vector<std::size_t>{1});
+  EXPECT_EQ(channel_name(DofKind::Rotation, 2), "Zrotation");
+  EXPECT_EQ(channel_name(DofKind::TailScale, 0), "Xscale");
+}
+
+}  // namespace
+}  // namespace kinefile

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Every diagnostic code in the sources has its section in docs/errors.md, with a cause and a cure,
+and the other way around. Every code that reading a BVH file can give by default has a file in
+tests/formats/bvh/invalid whose expected diagnostics show it."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CODE = re.compile(r'"([A-Z]{3}[0-9]{3})"')
+
+# Codes that no BVH file alone brings about; the tests that show them.
+NOT_BY_A_FILE = {
+    "BVH034": "tests/formats/bvh/read_test.cpp",   # --positions auto
+    "BVH036": "tests/formats/bvh/write_test.cpp",  # writing
+    "BVH037": "tests/formats/bvh/write_test.cpp",  # writing
+}
+
+
+def main():
+    faults = []
+    sources = [p for folder in ("src", "cli") for p in (ROOT / folder).rglob("*.?pp")]
+    used = {code for path in sources for code in CODE.findall(path.read_text())}
+    text = (ROOT / "docs" / "errors.md").read_text()
+    sections = dict(re.findall(r"^### ([A-Z]{3}[0-9]{3})[^\n]*\n(.*?)(?=^##|\Z)", text,
+                               re.M | re.S))
+    faults += [f"{code} is not in docs/errors.md" for code in sorted(used - sections.keys())]
+    faults += [f"{code} of docs/errors.md is not used" for code in sorted(sections.keys() - used)]
+    for code, section in sections.items():
+        for word in ("Cause:", "Cure:"):
+            if word not in section:
+                faults.append(f"{code} in docs/errors.md has no '{word}'")
+    shown = "".join(p.read_text() for p in (ROOT / "tests/formats/bvh/invalid").glob("*.txt"))
+    for code in sorted(c for c in used if c.startswith("BVH")):
+        if code in NOT_BY_A_FILE:
+            if code not in (ROOT / NOT_BY_A_FILE[code]).read_text():
+                faults.append(f"{code} has no test in {NOT_BY_A_FILE[code]}")
+        elif f"[{code}]" not in shown:
+            faults.append(f"{code} has no file in tests/formats/bvh/invalid")
+    print("\n".join(faults) if faults else f"{len(used)} codes are documented and tested")
+    return 1 if faults else 0
+
+
+sys.exit(main())

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Holds the includes of src/, cli/, include/ and examples/ to the table of layers in
+docs/design/layers.md: an include that is not in this table does not exist."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# Layer: the layers that it may include. Public headers belong to a layer each, see PUBLIC.
+LAYERS = {
+    "base": [],
+    "simd": ["base"],
+    "math": ["base", "simd"],
+    "text": ["base", "simd"],
+    "model": ["base", "math"],
+    "format": ["base", "text", "math", "model"],
+    "registry": ["base", "text", "math", "model", "format"],
+    "kinematics": ["base", "simd", "math", "model"],
+    "edit": ["base", "simd", "math", "model", "kinematics"],
+    "io": ["base", "text", "model", "registry"],
+    "all": ["base", "math", "model", "format", "registry", "kinematics", "edit", "io"],
+    "cli": ["base", "math", "model", "format", "registry", "kinematics", "edit", "io", "all"],
+}
+
+# The layer that declares what a public header has.
+PUBLIC = {
+    "diagnostics": "base", "result": "base", "version": "base", "math": "math",
+    "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
+    "world_poses": "model", "document": "model", "format": "model", "pose_table": "model",
+    "kinematics": "kinematics", "compare": "kinematics", "edit": "edit", "io": "io",
+    "kinefile": "all",
+}
+
+# Third-party headers that public headers may show, and what only some layers may use.
+PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
+ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli"}
+DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/mman.h",
+                "sys/stat.h")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+
+
+def layer_of_file(path):
+    """The layer and, for a format, its own folder."""
+    parts = path.relative_to(ROOT).parts
+    if parts[0] == "include":
+        return PUBLIC[path.stem], None
+    if parts[0] in ("cli", "examples"):
+        return "cli", None
+    if parts[1] == "formats":
+        is_format = len(parts) > 3
+        return ("format", parts[2]) if is_format else \
+            ("registry" if parts[2] == "registry.cpp" else "format", None)
+    return parts[1], None
+
+
+def faults_of(path):
+    layer, own_format = layer_of_file(path)
+    for bracket, name in INCLUDE.findall(path.read_text()):
+        if name.startswith("kinefile/"):
+            target = PUBLIC.get(pathlib.PurePath(name).stem)
+            if target is None:
+                yield f"{name} is not in the table of public headers"
+                continue
+        elif bracket == '"' and layer != "cli":
+            parts = name.split("/")
+            target = parts[0]
+            if target == "formats":
+                target = "format"
+                is_other = len(parts) > 2 and own_format is not None and parts[1] != own_format
+                if is_other:
+                    yield f"a format includes another: {name}"
+        else:
+            for prefix, only in ONLY_IN.items():
+                if name.startswith(prefix) and layer != only:
+                    yield f"{name} belongs to {only}"
+            if bracket == "<" and name in DISK_HEADERS and layer not in ("io", "cli"):
+                yield f"only io touches the disk: {name}"
+            if path.is_relative_to(ROOT / "include") and "/" in name and not \
+                    name.startswith(PUBLIC_THIRD_PARTY):
+                yield f"a public header shows {name}"
+            continue
+        if target != layer and target not in LAYERS[layer]:
+            yield f"{layer} may not include {target}: {name}"
+
+
+def main():
+    folders = ("include", "src", "cli", "examples")
+    paths = [p for folder in folders for p in sorted((ROOT / folder).rglob("*.?pp"))]
+    faults = [f"{path.relative_to(ROOT)}: {fault}" for path in paths for fault in faults_of(path)]
+    print("\n".join(faults) if faults else f"{len(paths)} files keep to the layers")
+    return 1 if faults else 0
+
+
+sys.exit(main())

@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The main job on a file that this project makes itself: look at it, check it, place it in the
+# world, convert it, compare. Run by `make demo`.
+set -eu
+
+bin=$1
+out=$2
+mkdir -p "$out"
+say() { printf '\n== %s\n' "$*"; }
+run() {
+  echo "\$ kinefile $*"
+  "$bin/kinefile" "$@"
+}
+
+say "A walk of 10 seconds, made by examples/make_walk"
+"$bin/make_walk" "$out/walk.bvh" 600 60
+cd "$out"
+ls -s --block-size=1 walk.bvh
+
+say "What is in it?"
+run info walk.bvh
+
+say "Is anything wrong with it?"
+run check walk.bvh
+
+say "Where is every joint, in every frame?"
+run fk walk.bvh --tips -o walk_world.csv --force
+echo "$(($(wc -l <walk_world.csv) - 1)) rows in walk_world.csv, among them:"
+grep -m 3 -E '^300,.*(Hips|Head|LeftToe),' walk_world.csv
+
+say "Other rotation orders move the same; other tools read CSV and JSON"
+run convert walk.bvh walk_xyz.bvh --order XYZ --force
+run diff walk.bvh walk_xyz.bvh --tolerance 1e-9
+run convert walk.bvh walk.csv --force
+run convert walk.bvh walk.json --force
+
+say "A file that was cut off is told with its place"
+head -c 20000 walk.bvh >cut.bvh
+run check cut.bvh || echo "(exit code $?)"
+
+say "The files are in $out"

@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# tools/fuzz.sh SECONDS: runs every fuzz target for so long, two at a time, from the fixtures and
+# what earlier runs found. Inputs that break something are left in build/fuzz/TARGET.
+set -eu
+
+seconds=$1
+run_target() {
+  target=$1
+  format=$2
+  folder=build/fuzz/$target
+  mkdir -p "$folder/corpus"
+  fixtures=$(find "tests/formats/$format" -type d)
+  # shellcheck disable=SC2086 # one word a folder
+  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=16384 -timeout=10 \
+    -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/" \
+    "$folder/corpus" $fixtures >"$folder/log" 2>&1; then
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+    echo "$target: $runs executions in $seconds s, nothing found"
+  else
+    tail -n 40 "$folder/log" >&2
+    return 1
+  fi
+}
+
+run_target bvh_read_fuzz bvh &
+first=$!
+run_target bvh_round_trip_fuzz bvh &
+second=$!
+wait $first
+wait $second

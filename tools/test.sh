@@ -1,0 +1,29 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# All tests, as `make test` and CI run them. Each part says what it is; the first failure ends it.
+set -eu
+
+say() { printf '\n== %s\n' "$*"; }
+
+say "Layout of the code"
+git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 --dry-run --Werror
+
+say "Release build: unit, format, property, transcript, header, layer and document tests"
+tools/build.sh release
+ctest --test-dir build/release --output-on-failure
+
+say "Installation: find_package and pkg-config in a program of its own"
+tools/test_install.sh
+
+say "The same tests under the address and undefined behaviour sanitizers"
+tools/build.sh asan
+ctest --test-dir build/sanitize --output-on-failure
+
+say "Fuzzing each reader for a while"
+tools/fuzz.sh "${FUZZ_SECONDS:-30}"
+
+say "The core for the browser: its unit tests under Node"
+tools/build.sh wasm
+ctest --test-dir build/wasm --output-on-failure
+
+say "All tests passed"

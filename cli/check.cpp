@@ -48,7 +48,7 @@ int run(const Check& check, const Globals& globals) {
       if (!diagnostics.has_errors()) diagnostics.add(document.error());
     }
     if (check.is_json) {
-      for (const Diagnostic& item : diagnostics.items()) all.push_back(json_of(item));
+      for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));
     } else {
       print_diagnostics(stdout, diagnostics, globals);
       print_summary(path, diagnostics, globals);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 
@@ -50,16 +49,9 @@ void print_one(std::FILE* stream, const Diagnostic& diagnostic, bool has_color) 
 
 void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals) {
   const bool has_color = wants_color(stream, globals);
-  std::vector<const Diagnostic*> sorted;
-  for (const Diagnostic& item : diagnostics.items()) {
-    if (globals.is_quiet && item.severity != Severity::Error) continue;
-    sorted.push_back(&item);
-  }
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
-    return std::tie(a->place.line, a->place.column) < std::tie(b->place.line, b->place.column);
-  });
   std::map<std::string, std::size_t> printed;
-  for (const Diagnostic* item : sorted) {
+  for (const Diagnostic* item : diagnostics.by_place()) {
+    if (globals.is_quiet && item->severity != Severity::Error) continue;
     const std::size_t count = ++printed[item->code];
     if (count <= kMostOfOneCode) print_one(stream, *item, has_color);
     if (count != kMostOfOneCode + 1) continue;

@@ -62,7 +62,10 @@ class Diagnostics {
   /// Adds a diagnostic; a warning becomes an error if `warnings_are_errors`.
   void add(Diagnostic diagnostic);
 
+  /// In the order in which they were noticed.
   const std::vector<Diagnostic>& items() const { return items_; }
+  /// The items in the order of their places, those without a place first.
+  std::vector<const Diagnostic*> by_place() const;
   /// How many were added with this severity, those beyond `kMaxPerCode` included.
   std::size_t count(Severity severity) const;
   bool has_errors() const { return count(Severity::Error) > 0; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 namespace kinefile {
 
@@ -37,6 +38,16 @@ void Diagnostics::add(Diagnostic diagnostic) {
   if (++count_by_code_[diagnostic.code] <= kMaxPerCode) {
     items_.push_back(std::move(diagnostic));
   }
+}
+
+std::vector<const Diagnostic*> Diagnostics::by_place() const {
+  std::vector<const Diagnostic*> sorted;
+  sorted.reserve(items_.size());
+  for (const Diagnostic& item : items_) sorted.push_back(&item);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    return std::tie(a->place.line, a->place.column) < std::tie(b->place.line, b->place.column);
+  });
+  return sorted;
 }
 
 std::size_t Diagnostics::count(Severity severity) const {

@@ -116,15 +116,14 @@ bool adds_positions(const Skeleton& skeleton) {
 void complete_positions(const Context& context, const Joint& joint, JointChange& change) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const auto found =
-        std::find_if(joint.dofs.begin(), joint.dofs.end(), [k](const DegreeOfFreedom& dof) {
-          return dof.kind == DofKind::Translation && axis_of(dof) == k;
-        });
-    std::string channel = channel_name(DofKind::Translation, k);
-    if (found != joint.dofs.end()) {
-      add_column(change, {NewColumn::From::Column, found->coordinate, 0, 0}, channel, *found);
-      continue;
+    const std::string channel = channel_name(DofKind::Translation, k);
+    bool is_there = false;
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Translation || axis_of(dof) != k) continue;
+      add_column(change, {NewColumn::From::Column, dof.coordinate, 0, 0}, channel, dof);
+      is_there = true;
     }
+    if (is_there) continue;
     const double value = context.adds_positions ? 0 : std::exchange(change.offset[axis], 0.0);
     add_column(change, {NewColumn::From::Constant, 0, value, 0}, channel,
                DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, value});
@@ -229,17 +228,21 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
 
 /// The rotation that a joint's old angles make in one frame.
 Mat3 rotation_in(const std::vector<DegreeOfFreedom>& rotations, std::span<const double> row,
-                 double radians_per_unit) {
+                 AngleUnit unit) {
   Mat3 product = Mat3::Identity();
   for (const DegreeOfFreedom& dof : rotations) {
-    product = product * Eigen::AngleAxisd(row[dof.coordinate] * radians_per_unit, dof.axis);
+    double angle = row[dof.coordinate];
+    // Whole turns are taken off first, which is exact in degrees.
+    if (unit == AngleUnit::Degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
+    product = product * Eigen::AngleAxisd(angle, dof.axis);
   }
   return product;
 }
 
 void fill_columns(const Motion& source, const JointChange& change, std::size_t first_column,
                   Clip& out) {
-  const double unit = source.skeleton.angle_unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
+  const AngleUnit unit = source.skeleton.angle_unit;
+  const double radians_per_unit = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
   Vec3 angles = Vec3::Zero();
   for (std::size_t f = 0; f < source.clip.num_frames; ++f) {
     const auto row = source.clip.row(f);
@@ -252,7 +255,7 @@ void fill_columns(const Motion& source, const JointChange& change, std::size_t f
       if (column.from == NewColumn::From::Column) value = row[column.column];
       if (column.from == NewColumn::From::Constant) value = column.constant;
       if (column.from == NewColumn::From::Angle) {
-        value = angles[static_cast<Eigen::Index>(column.angle)] / unit;
+        value = angles[static_cast<Eigen::Index>(column.angle)] / radians_per_unit;
       }
     }
   }

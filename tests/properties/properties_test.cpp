@@ -116,7 +116,7 @@ std::vector<Eigen::Matrix4d> plain_kinematics(const Skeleton& skeleton,
       const Vec3& axis = dof.axis;
       if (dof.kind == DofKind::Translation) local.translate(value * axis);
       if (dof.kind == DofKind::Rotation) {
-        local.rotate(Eigen::AngleAxisd(value * kRadiansPerDegree, axis));
+        local.rotate(Eigen::AngleAxisd(std::remainder(value, 360.0) * kRadiansPerDegree, axis));
       }
       if (dof.kind == DofKind::TailScale) {
         const Mat3 stretch = Mat3::Identity() + (value - 1) * axis * axis.transpose();

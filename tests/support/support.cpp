@@ -49,7 +49,7 @@ std::string write_to_string(const Document& document, std::string_view format,
 
 std::string text_of(const Diagnostics& diagnostics) {
   std::string text;
-  for (const Diagnostic& item : diagnostics.items()) text += to_string(item) + "\n";
+  for (const Diagnostic* item : diagnostics.by_place()) text += to_string(*item) + "\n";
   return text;
 }
 

@@ -201,8 +201,10 @@ void parse_motion(Parser& parser) {
       continue;
     }
     const std::string_view word = parser.scanner.peek();
-    const bool has_counts = counts.frames_at != nullptr || counts.frame_time_at != nullptr;
-    if ((word.empty() && has_counts) || (!word.empty() && can_start_row(word))) break;
+    const bool has_one = counts.frames_at != nullptr || counts.frame_time_at != nullptr;
+    const bool has_both = counts.frames_at != nullptr && counts.frame_time_at != nullptr;
+    // Once both are there, what follows is a row, good or not.
+    if (has_both || (word.empty() ? has_one : can_start_row(word))) break;
     parser.report(
         Severity::Error, word.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord,
         fmt::format("expected Frames:, Frame Time: or a row of numbers, found {}", quoted(word)),

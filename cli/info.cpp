@@ -114,8 +114,10 @@ std::string text_of(const std::string& path, const Document& document) {
                                 skeleton.joints.size()));
   if (motion != nullptr) {
     const Timeline& timeline = motion->clip.timeline;
-    line("frames", fmt::format("{}, the first is {} in the file", motion->clip.num_frames,
-                               timeline.first_frame_number));
+    const auto first = timeline.first_frame_number;
+    line("frames",
+         fmt::format("{}{}", motion->clip.num_frames,
+                     first == 0 ? "" : fmt::format(", the first is {} in the file", first)));
     line("rate",
          fmt::format("{:.6g} fps, frame time {} s", frame_rate(timeline), frame_time(timeline)));
     line("duration", fmt::format("{} s", duration(timeline, motion->clip.num_frames)));
@@ -176,13 +178,14 @@ int run(const Info& info, const Globals& globals) {
   for (const std::string& path : info.files) {
     const auto document = load(path, info.reading, globals, exit_code);
     if (!document) continue;
+    const std::string name = path == "-" ? "<stdin>" : path;
     if (info.is_json) {
-      all.push_back(json_of(path, *document));
+      all.push_back(json_of(name, *document));
     } else if (info.is_tree) {
-      if (info.files.size() > 1) fmt::print("{}:\n", path);
+      if (info.files.size() > 1) fmt::print("{}:\n", name);
       fmt::print("{}", tree_of(skeleton_of(*document)));
     } else {
-      fmt::print("{}", text_of(path, *document));
+      fmt::print("{}", text_of(name, *document));
     }
   }
   if (info.is_json) fmt::print("{}\n", all.dump(2));

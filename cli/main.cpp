@@ -9,6 +9,14 @@
 namespace kinefile::cli {
 namespace {
 
+/// The first word that is no option, where the command should be.
+std::string first_word(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (argv[i][0] != '-') return argv[i];
+  }
+  return {};
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"kinefile reads, checks, computes and converts the motion of skeletons and robots.",
                "kinefile"};
@@ -43,6 +51,12 @@ int run(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    const std::string word = first_word(argc, argv);
+    const bool is_known = word.empty() || app.get_subcommand_no_throw(word) != nullptr;
+    if (is_known) return app.exit(error), kUsage;
+    return usage_error(globals,
+                       fmt::format("there is no command '{}'; kinefile --help lists them", word));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }

@@ -53,10 +53,13 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     const std::string word = first_word(argc, argv);
-    const bool is_known = word.empty() || app.get_subcommand_no_throw(word) != nullptr;
-    if (is_known) return app.exit(error), kUsage;
+    const auto is_named = [&word](const CLI::App* command) { return command->get_name() == word; };
+    if (word.empty() || !app.get_subcommands(is_named).empty()) {
+      app.exit(error);
+      return kUsage;
+    }
     return usage_error(globals,
-                       fmt::format("there is no command '{}'; kinefile --help lists them", word));
+                       fmt::format("there is no command '{}'; --help lists those there are", word));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }

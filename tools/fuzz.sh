@@ -12,7 +12,7 @@ run_target() {
   mkdir -p "$folder/corpus"
   fixtures=$(find "tests/formats/$format" -type d)
   # shellcheck disable=SC2086 # one word a folder
-  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=16384 -timeout=10 \
+  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=4096 -timeout=10 \
     -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/" \
     "$folder/corpus" $fixtures >"$folder/log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")

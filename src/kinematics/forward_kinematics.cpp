@@ -15,15 +15,18 @@ simd::Matrix matrix_of(const Mat3& m) {
   return {vector_of(m.col(0)), vector_of(m.col(1)), vector_of(m.col(2))};
 }
 
-simd::Turn plan_turn(const DegreeOfFreedom& dof) {
-  simd::Turn turn{dof.coordinate, 3, 1, vector_of(dof.axis)};
+/// 0, 1 or 2 for an axis along x, y or z, up to its sign; 3 for any other.
+std::size_t coordinate_axis(const Vec3& axis) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 unit = Vec3::Unit(static_cast<Eigen::Index>(k));
-    if (dof.axis != unit && dof.axis != -unit) continue;
-    turn.axis = k;
-    turn.sign = dof.axis == unit ? 1 : -1;
+    if (axis == unit || axis == -unit) return k;
   }
-  return turn;
+  return 3;
+}
+
+simd::Turn plan_turn(const DegreeOfFreedom& dof) {
+  return {dof.coordinate, coordinate_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
+          vector_of(dof.axis)};
 }
 
 void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::PlannedJoint& planned) {
@@ -44,8 +47,8 @@ void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::Plann
       break;
     case DofKind::TailTranslation:
     case DofKind::TailScale:
-      planned.tail_moves.push_back(
-          {dof.coordinate, dof.kind == DofKind::TailScale, vector_of(dof.axis)});
+      planned.tail_moves.push_back({dof.coordinate, dof.kind == DofKind::TailScale,
+                                    coordinate_axis(dof.axis), vector_of(dof.axis)});
       break;
   }
 }

@@ -171,14 +171,17 @@ HWY_INLINE void local_position(const PlannedJoint& joint, const Block& block,
 void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& block) {
   for (std::size_t m = joint.tail_moves.size(); m-- > 0;) {
     const TailMove& move = joint.tail_moves[m];
-    const Vector& axis = move.axis;
+    const Vector& u = move.direction;
     Lanes values;
     block.load(move.coordinate, values);
+    if (move.is_scale && move.axis < 3) {  // a product alone loses no digits
+      for (std::size_t i = 0; i < kBlock; ++i) point[move.axis].v[i] *= values.v[i];
+      continue;
+    }
     for (std::size_t i = 0; i < kBlock; ++i) {
-      const double along =
-          point[0].v[i] * axis[0] + point[1].v[i] * axis[1] + point[2].v[i] * axis[2];
+      const double along = point[0].v[i] * u[0] + point[1].v[i] * u[1] + point[2].v[i] * u[2];
       const double step = move.is_scale ? (values.v[i] - 1) * along : values.v[i];
-      for (std::size_t k = 0; k < 3; ++k) point[k].v[i] += step * axis[k];
+      for (std::size_t k = 0; k < 3; ++k) point[k].v[i] += step * u[k];
     }
   }
 }

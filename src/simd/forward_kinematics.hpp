@@ -16,7 +16,7 @@ inline constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
 inline constexpr std::size_t kBlock = 16;
 
 /// A rotation about x, y or z (`axis` 0, 1, 2; `sign` -1 for the opposite axis), or about any
-/// other unit vector (`axis` 3).
+/// other unit vector (`axis` 3, `sign` without meaning).
 struct Turn {
   std::size_t coordinate;
   std::size_t axis;
@@ -30,11 +30,13 @@ struct Shift {
   Vector direction;
 };
 
-/// What a joint does to where its children and tips sit, along an axis of its own frame.
+/// What a joint does to where its children and tips sit, along an axis of its own frame: x, y or z
+/// (`axis` 0, 1, 2), or any other unit vector (`axis` 3).
 struct TailMove {
   std::size_t coordinate;
   bool is_scale;
-  Vector axis;
+  std::size_t axis;
+  Vector direction;
 };
 
 /// A joint as the kernel wants it: parent_from_joint is a translation by `offset` and all shifts,

@@ -101,7 +101,9 @@ PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip, std::
 /// Writes the table a block of frames at a time, so that a long clip needs little memory.
 bool write_csv(const Fk& fk, const PoseTable& table, const Clip& clip, const FrameRange& range,
                const Sink& sink) {
-  const std::size_t block = table.frame_step * std::max<std::size_t>(1, 1024 / table.frame_step);
+  // A whole number of steps, so that the steps of one block go on in the next.
+  const std::size_t num_steps = frames_per_block(*table.skeleton) / table.frame_step;
+  const std::size_t block = table.frame_step * std::max<std::size_t>(1, num_steps);
   bool is_good = write_pose_csv_header(table, sink);
   for (std::size_t begin = range.begin; is_good && begin < range.end; begin += block) {
     const std::size_t count = std::min(block, range.end - begin);

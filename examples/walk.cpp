@@ -134,12 +134,12 @@ double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 /// Lifts the hips in every frame so that the lowest point of the figure touches the ground.
 void stand_on_ground(Motion& motion) {
-  constexpr std::size_t kFrames = 1024;
+  const std::size_t block = frames_per_block(motion.skeleton);
   constexpr std::size_t kHipsY = 1;
   KinematicsOptions options;
-  options.num_frames = kFrames;
+  options.num_frames = block;
   options.tips = true;
-  for (; options.first_frame < motion.clip.num_frames; options.first_frame += kFrames) {
+  for (; options.first_frame < motion.clip.num_frames; options.first_frame += block) {
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
     for (std::size_t f = 0; f < poses.num_frames; ++f) {
       double lowest = std::numeric_limits<double>::infinity();

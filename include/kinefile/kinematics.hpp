@@ -35,6 +35,10 @@ WorldPoses forward_kinematics(const Skeleton& skeleton, const Clip& clip,
 LocalPoses local_poses(const Skeleton& skeleton, const Clip& clip,
                        const KinematicsOptions& options = {});
 
+/// How many frames to place at a time where all of them together would need too much memory: some
+/// megabytes' worth, whatever the number of joints.
+std::size_t frames_per_block(const Skeleton& skeleton);
+
 /// A clip of one frame, in which every coordinate has its rest value.
 Clip rest_clip(const Skeleton& skeleton);
 

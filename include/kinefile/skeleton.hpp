@@ -86,6 +86,9 @@ std::size_t num_dofs(const Skeleton& skeleton);
 /// The children of every joint, in skeleton order; shape (joints).
 std::vector<std::vector<std::size_t>> children_of_joints(const Skeleton& skeleton);
 
+/// The columns of every joint, in order; shape (joints).
+std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton);
+
 /// The number of tips of all joints.
 std::size_t num_tips(const Skeleton& skeleton);
 

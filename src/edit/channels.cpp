@@ -59,6 +59,7 @@ struct Context {
   const ChannelOptions& options;
   Diagnostics& diagnostics;
   bool adds_positions = false;
+  std::vector<std::vector<std::size_t>> columns_of_joint = {};
 };
 
 /// The one value that a column has in every frame, bit for bit, if it does not change.
@@ -151,21 +152,21 @@ void add_rotations(const Joint& joint, const RotationOrder& order, JointChange& 
   }
 }
 
+/// The degree of freedom of a joint that reads a column, if one does.
+std::optional<DegreeOfFreedom> reader_of(const Joint& joint, std::size_t column) {
+  const auto found =
+      std::find_if(joint.dofs.begin(), joint.dofs.end(),
+                   [column](const DegreeOfFreedom& dof) { return dof.coordinate == column; });
+  return found == joint.dofs.end() ? std::nullopt : std::optional(*found);
+}
+
 /// Keeps the columns of a joint that are neither positions nor rotations.
 void keep_others(const Context& context, std::size_t joint_index, JointChange& change) {
   const Skeleton& skeleton = context.motion.skeleton;
-  const Joint& joint = skeleton.joints[joint_index];
-  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
-    if (skeleton.coordinates[c].joint != joint_index) continue;
-    const auto found =
-        std::find_if(joint.dofs.begin(), joint.dofs.end(),
-                     [c](const DegreeOfFreedom& dof) { return dof.coordinate == c; });
-    const bool is_read = found != joint.dofs.end();
-    if (is_read && (found->kind == DofKind::Translation || found->kind == DofKind::Rotation)) {
-      continue;
-    }
-    add_column(change, {NewColumn::From::Column, c, 0, 0}, skeleton.coordinates[c].channel,
-               is_read ? std::optional(*found) : std::nullopt);
+  for (const std::size_t c : context.columns_of_joint[joint_index]) {
+    const auto dof = reader_of(skeleton.joints[joint_index], c);
+    if (dof && (dof->kind == DofKind::Translation || dof->kind == DofKind::Rotation)) continue;
+    add_column(change, {NewColumn::From::Column, c, 0, 0}, skeleton.coordinates[c].channel, dof);
   }
 }
 
@@ -176,8 +177,7 @@ JointChange unchanged(const Context& context, std::size_t joint_index) {
   JointChange change;
   change.offset = joint.offset;
   change.dofs = joint.dofs;
-  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
-    if (skeleton.coordinates[c].joint != joint_index) continue;
+  for (const std::size_t c : context.columns_of_joint[joint_index]) {
     for (std::size_t d = 0; d < joint.dofs.size(); ++d) {
       if (joint.dofs[d].coordinate == c) change.dofs[d].coordinate = change.columns.size();
     }
@@ -287,7 +287,8 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const Context context{motion, options, diagnostics, adds_positions(motion.skeleton)};
+  const Context context{motion, options, diagnostics, adds_positions(motion.skeleton),
+                        columns_of_joints(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();

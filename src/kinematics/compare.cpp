@@ -15,10 +15,10 @@ struct JointPair {
   std::size_t second;
 };
 
-/// Joints of one name in the order in which they come.
+/// The joints of every name, the last of them first.
 std::map<std::string, std::vector<std::size_t>> joints_by_name(const Skeleton& skeleton) {
   std::map<std::string, std::vector<std::size_t>> joints;
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+  for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
     joints[skeleton.joints[j].name].push_back(j);
   }
   return joints;
@@ -35,9 +35,9 @@ std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& secon
       comparison.only_in_first.push_back(first.joints[j].name);
       continue;
     }
-    pairs.push_back({j, waiting.front()});
-    is_matched[waiting.front()] = true;
-    waiting.erase(waiting.begin());
+    pairs.push_back({j, waiting.back()});
+    is_matched[waiting.back()] = true;
+    waiting.pop_back();
   }
   for (std::size_t j = 0; j < second.joints.size(); ++j) {
     if (!is_matched[j]) comparison.only_in_second.push_back(second.joints[j].name);
@@ -144,7 +144,6 @@ void place(Side& side, std::size_t first_frame, std::size_t num_frames) {
 }  // namespace
 
 MotionComparison compare_motions(const Motion& first, const Motion& second) {
-  constexpr std::size_t kFrames = 256;  // at a time, so that long clips need little memory
   MotionComparison comparison;
   comparison.num_frames_first = first.clip.num_frames;
   comparison.num_frames_second = second.clip.num_frames;
@@ -153,8 +152,9 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
 
   Side a{first, first_tips(first.skeleton), {}};
   Side b{second, first_tips(second.skeleton), {}};
-  for (std::size_t start = 0; start < first.clip.num_frames; start += kFrames) {
-    place(a, start, kFrames);
+  const std::size_t block = frames_per_block(first.skeleton);
+  for (std::size_t start = 0; start < first.clip.num_frames; start += block) {
+    place(a, start, block);
     const auto partner = [&](std::size_t row) {
       return nearest_frame(second.clip, time_of_frame(first.clip.timeline, start + row));
     };

@@ -27,6 +27,13 @@ void include_points(const std::vector<double>& points, Box& box) {
 
 }  // namespace
 
+std::size_t frames_per_block(const Skeleton& skeleton) {
+  constexpr std::size_t kPoses = std::size_t{1} << 15;
+  constexpr std::size_t kMostFrames = 1024;
+  const std::size_t num_joints = std::max<std::size_t>(skeleton.joints.size(), 1);
+  return std::clamp<std::size_t>(kPoses / num_joints, 1, kMostFrames);
+}
+
 Clip rest_clip(const Skeleton& skeleton) {
   Clip clip;
   clip.num_frames = 1;
@@ -48,13 +55,12 @@ std::vector<Vec3> bone_directions(const Skeleton& skeleton) {
 }
 
 Box world_extent(const Skeleton& skeleton, const Clip& clip) {
-  // Some frames at a time, so that a long clip's poses are not all held at once.
-  constexpr std::size_t kFrames = 1024;
+  const std::size_t block = frames_per_block(skeleton);
   Box box;
-  for (std::size_t frame = 0; frame < clip.num_frames; frame += kFrames) {
+  for (std::size_t frame = 0; frame < clip.num_frames; frame += block) {
     KinematicsOptions options;
     options.first_frame = frame;
-    options.num_frames = kFrames;
+    options.num_frames = block;
     options.tips = true;
     const WorldPoses poses = forward_kinematics(skeleton, clip, options);
     include_points(poses.positions, box);

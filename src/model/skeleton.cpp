@@ -111,6 +111,14 @@ std::vector<std::vector<std::size_t>> children_of_joints(const Skeleton& skeleto
   return children;
 }
 
+std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton) {
+  std::vector<std::vector<std::size_t>> columns(skeleton.joints.size());
+  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
+    columns[skeleton.coordinates[c].joint].push_back(c);
+  }
+  return columns;
+}
+
 std::size_t num_tips(const Skeleton& skeleton) {
   std::size_t count = 0;
   for (const Joint& joint : skeleton.joints) count += joint.tips.size();

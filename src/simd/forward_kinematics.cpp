@@ -321,18 +321,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace kinefile::simd {
-#ifdef __EMSCRIPTEN__
-
-void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out) {
-  HWY_STATIC_DISPATCH(place_all)(plan, rows, out);
-}
-
-void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,
-            double* cosines) {
-  HWY_STATIC_DISPATCH(sincos_all)(angles, count, is_in_degrees, sines, cosines);
-}
-
-#else
 namespace {
 HWY_EXPORT(place_all);
 HWY_EXPORT(sincos_all);
@@ -347,6 +335,5 @@ void sincos(const double* angles, std::size_t count, bool is_in_degrees, double*
   HWY_DYNAMIC_DISPATCH(sincos_all)(angles, count, is_in_degrees, sines, cosines);
 }
 
-#endif
 }  // namespace kinefile::simd
 #endif  // HWY_ONCE

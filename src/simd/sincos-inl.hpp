@@ -80,42 +80,41 @@ HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) 
   cosine = second * cosine_sign;
 }
 
-/// Sines and cosines of a block of angles in degrees. Multiples of 90 degrees are exact; the error
-/// is below 1.5 units in the last place. What is not finite gives NaN.
-HWY_NOINLINE void sincos_degrees(const double* HWY_RESTRICT angles, double* HWY_RESTRICT sines,
-                                 double* HWY_RESTRICT cosines) {
-  double largest = 0;
+/// Whole turns are taken off exactly; what is not finite gives NaN.
+HWY_INLINE void far_degrees(double angle, double& sine, double& cosine) {
+  place_quarter(reduce_degrees(std::remainder(angle, 360.0)), sine, cosine);
+}
+
+HWY_INLINE void far_radians(double angle, double& sine, double& cosine) {
+  sine = std::sin(angle);
+  cosine = std::cos(angle);
+}
+
+/// Sines and cosines of a block of angles; those beyond `most`, or not finite, one at a time.
+template <Angle (*kReduce)(double), void (*kFar)(double, double&, double&)>
+HWY_INLINE void sincos_block(const double* HWY_RESTRICT angles, double most,
+                             double* HWY_RESTRICT sines, double* HWY_RESTRICT cosines) {
   for (std::size_t i = 0; i < kBlock; ++i) {
-    place_quarter(reduce_degrees(angles[i]), sines[i], cosines[i]);
+    place_quarter(kReduce(angles[i]), sines[i], cosines[i]);
   }
+  double num_far = 0;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const double size = angles[i] < 0 ? -angles[i] : angles[i];
-    largest = size <= kMostDegrees ? largest : 1;
+    num_far += size <= most ? 0.0 : 1.0;
   }
-  if (largest == 0) return;
-  for (std::size_t i = 0; i < kBlock; ++i) {  // far or not finite: one at a time
-    if (std::abs(angles[i]) <= kMostDegrees) continue;
-    place_quarter(reduce_degrees(std::remainder(angles[i], 360.0)), sines[i], cosines[i]);
+  if (num_far == 0) return;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    if (!(std::abs(angles[i]) <= most)) kFar(angles[i], sines[i], cosines[i]);
   }
 }
 
-/// As `sincos_degrees`, for angles in radians.
-HWY_NOINLINE void sincos_radians(const double* HWY_RESTRICT angles, double* HWY_RESTRICT sines,
-                                 double* HWY_RESTRICT cosines) {
-  double largest = 0;
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    place_quarter(reduce_radians(angles[i]), sines[i], cosines[i]);
-  }
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const double size = angles[i] < 0 ? -angles[i] : angles[i];
-    largest = size <= kMostRadians ? largest : 1;
-  }
-  if (largest == 0) return;
-  for (std::size_t i = 0; i < kBlock; ++i) {  // far or not finite: one at a time
-    if (std::abs(angles[i]) <= kMostRadians) continue;
-    sines[i] = std::sin(angles[i]);
-    cosines[i] = std::cos(angles[i]);
-  }
+/// Multiples of 90 degrees are exact; the error is below 1.5 units in the last place.
+HWY_NOINLINE void sincos_degrees(const double* angles, double* sines, double* cosines) {
+  sincos_block<reduce_degrees, far_degrees>(angles, kMostDegrees, sines, cosines);
+}
+
+HWY_NOINLINE void sincos_radians(const double* angles, double* sines, double* cosines) {
+  sincos_block<reduce_radians, far_radians>(angles, kMostRadians, sines, cosines);
 }
 
 }  // namespace HWY_NAMESPACE

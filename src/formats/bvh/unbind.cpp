@@ -125,10 +125,7 @@ Result<Unbound> unbind(const Skeleton& skeleton) {
   std::vector<Column> columns(skeleton.coordinates.size());
   if (auto error = name_columns(skeleton, columns)) return fail(std::move(*error));
 
-  std::vector<std::vector<std::size_t>> columns_of_joint(skeleton.joints.size());
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    columns_of_joint[skeleton.coordinates[c].joint].push_back(c);
-  }
+  const auto columns_of_joint = columns_of_joints(skeleton);
   Unbound unbound;
   std::vector<std::size_t> node_of_joint(skeleton.joints.size());
   for (const std::size_t j : depth_first(skeleton)) {

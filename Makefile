@@ -32,7 +32,7 @@ bench:
 install:
 	@tools/setup.sh demo
 	@tools/build.sh demo
-	@cmake --install build/release --prefix '$(PREFIX)'
+	@tools/install.sh '$(PREFIX)'
 
 fuzz:
 	@tools/setup.sh test
@@ -46,7 +46,7 @@ lint:
 
 format:
 	@tools/setup.sh test
-	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
+	@tools/sources.sh . | xargs clang-format-14 -i
 
 clean:
 	@rm -rf build

@@ -117,6 +117,7 @@ double peak_memory_ratio() {
   }
   int status = 0;
   waitpid(child, &status, 0);
+  if (status != 0) return std::nan("");
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
   const double size = static_cast<double>(std::filesystem::file_size(subject().path));
@@ -144,12 +145,14 @@ void print_ratio(const Reporter& reporter, std::string_view what, const std::str
 }
 
 void prepare() {
-  char name[] = "kinefile-bench.XXXXXX.bvh";
-  const std::string folder = std::filesystem::temp_directory_path();
-  const int descriptor = mkstemps(name, 4);
+  std::string name = std::filesystem::temp_directory_path() / "kinefile-bench.XXXXXX.bvh";
+  const int descriptor = mkstemps(name.data(), 4);
+  if (descriptor < 0) {
+    fmt::print(stderr, "{} cannot be written\n", name);
+    std::exit(1);
+  }
   close(descriptor);
-  std::filesystem::remove(name);
-  subject().path = folder + "/" + name;
+  subject().path = name;
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
   Diagnostics diagnostics;

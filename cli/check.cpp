@@ -55,7 +55,7 @@ int run(const Check& check, const Globals& globals) {
       print_summary(path, diagnostics, globals);
     }
   }
-  if (check.is_json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (check.is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return exit_code;
 }
 

@@ -33,6 +33,7 @@ struct Reading {
   std::string from;
   std::string positions = "replace";
   std::string encoding;
+  std::string unit_in;
   std::optional<double> fps;
   bool is_lenient = false;
   bool is_strict = false;

@@ -29,6 +29,8 @@ int report(const Error& error, const Globals& globals) {
 Result<void> change_channels(const Convert& convert, Document& document, Diagnostics& diagnostics) {
   ChannelOptions options;
   options.lenient = convert.reading.is_lenient;
+  const auto kept = document.extras.file.find("positions");
+  options.adds_positions = kept != document.extras.file.end() && kept->second == "add";
   if (!convert.order.empty()) options.order = parse_rotation_order(convert.order);
   if (convert.channels == "root") options.positions = PositionChannels::Root;
   if (convert.channels == "all") options.positions = PositionChannels::All;
@@ -55,15 +57,18 @@ int run(const Convert& convert, const Globals& globals) {
   auto document = load(convert.in, convert.reading, globals, exit_code);
   if (!document) return exit_code;
   Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = convert.reading.is_strict;
   auto result = change_channels(convert, *document, diagnostics);
   if (result) {
     WriteOptions options;
     options.decimals = convert.decimals;
-    options.lenient = convert.reading.is_lenient;
     result = write_file(convert.out, *document, *format, options, convert.may_replace, diagnostics);
   }
   print_diagnostics(stderr, diagnostics, globals);
-  return result ? static_cast<int>(kDone) : report(result.error(), globals);
+  if (result) return kDone;
+  if (result.error().place.source.empty()) result.error().place.source = convert.in;
+  // What --strict made an error of has been printed already.
+  return diagnostics.has_errors() ? exit_code_of(result.error()) : report(result.error(), globals);
 }
 
 std::string check_order(const std::string& text) {

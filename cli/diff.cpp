@@ -29,15 +29,15 @@ bool is_different(const MotionComparison& comparison, double tolerance) {
 
 void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
   if (largest.joint.empty()) return;
-  fmt::print("{:<22}{}{}", what, largest.value, unit);
+  print_data(fmt::format("{:<22}{}{}", what, largest.value, unit));
   if (largest.value > 0) {
-    fmt::print(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time);
+    print_data(fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
   }
-  fmt::print("\n");
+  print_data(fmt::format("\n"));
 }
 
 void print_names(std::string_view what, const std::vector<std::string>& names) {
-  for (const std::string& name : names) fmt::print("{:<22}'{}'\n", what, name);
+  for (const std::string& name : names) print_data(fmt::format("{:<22}'{}'\n", what, name));
 }
 
 void print_text(const Diff& diff, const MotionComparison& comparison) {
@@ -47,11 +47,11 @@ void print_text(const Diff& diff, const MotionComparison& comparison) {
   print_names("only in the first", comparison.only_in_first);
   print_names("only in the second", comparison.only_in_second);
   if (comparison.num_frames_first != comparison.num_frames_second) {
-    fmt::print("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
-               comparison.num_frames_second);
+    print_data(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
+                           comparison.num_frames_second));
   }
-  fmt::print("{}\n",
-             is_different(comparison, diff.tolerance) ? "the motions differ" : "the motions agree");
+  print_data(fmt::format("{}\n", is_different(comparison, diff.tolerance) ? "the motions differ"
+                                                                          : "the motions agree"));
 }
 
 Json json_of(const LargestDifference& largest) {
@@ -89,11 +89,19 @@ int run(const Diff& diff, const Globals& globals) {
   const MotionComparison comparison =
       compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
   if (diff.is_json) {
-    fmt::print("{}\n", json_of(diff, comparison).dump(2));
+    print_data(json_of(diff, comparison).dump(2, ' ', false, Json::error_handler_t::replace) +
+               "\n");
   } else {
     print_text(diff, comparison);
   }
   return is_different(comparison, diff.tolerance) ? kInvalid : kDone;
+}
+
+std::string check_tolerance(const std::string& text) {
+  double tolerance = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, tolerance);
+  return is_number && tolerance >= 0 && std::isfinite(tolerance) ? ""
+                                                                 : "expected a distance from 0 up";
 }
 
 }  // namespace
@@ -104,7 +112,7 @@ void add_diff(CLI::App& app, Globals& globals) {
   command->add_option("A", diff->first, "The first file")->required();
   command->add_option("B", diff->second, "The second file")->required();
   command->add_option("--tolerance", diff->tolerance, "Distances up to this are no difference")
-      ->check(CLI::NonNegativeNumber)
+      ->check(check_tolerance)
       ->default_str("0")
       ->type_name("T");
   command->add_flag("--json", diff->is_json, "Print an object");

@@ -18,7 +18,6 @@ struct Fk {
   std::string frames;
   std::string joints;
   std::string unit = "file";
-  std::string unit_in;
   bool is_rest = false;
   bool has_tips = false;
   bool has_rotations = false;
@@ -32,9 +31,12 @@ struct FrameRange {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::size_t step = 1;
+
+  /// How many frames it holds.
+  std::size_t num_frames() const { return (end - begin + step - 1) / step; }
 };
 
-/// Reads A:B or A:B:STEP, either end left out at will; a frame alone is that frame.
+/// Reads A:B or A:B:STEP, either end left out at will.
 std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames) {
   std::vector<std::string> parts = CLI::detail::split(text, ':');
   if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
@@ -50,24 +52,15 @@ std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_f
     if (error != std::errc() || next != end) return std::nullopt;
   }
   const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
-  return is_inside ? std::optional(range) : std::nullopt;
-}
-
-/// Metres in one unit of length, from a word or a number.
-std::optional<double> metres_of(const std::string& unit) {
-  if (unit == "m") return 1.0;
-  if (unit == "cm") return 0.01;
-  if (unit == "mm") return 0.001;
-  if (unit == "inch") return 0.0254;
-  double factor = 0;
-  const bool is_number = CLI::detail::lexical_cast(unit, factor);
-  return is_number && factor > 0 && factor < 1e30 ? std::optional(factor) : std::nullopt;
+  if (!is_inside) return std::nullopt;
+  range.step = std::min(range.step, num_frames + 1);  // a longer one takes the first frame, too
+  return range;
 }
 
 /// The joints of a comma-separated list, in skeleton order; all joints for an empty list. A name
 /// that stands for no joint is returned in `unknown`.
 std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::string& list,
-                                       std::string& unknown) {
+                                       std::optional<std::string>& unknown) {
   std::vector<bool> is_selected(skeleton.joints.size(), list.empty());
   const auto names = list.empty() ? std::vector<std::string>{} : CLI::detail::split(list, ',');
   for (const std::string& name : names) {
@@ -77,7 +70,7 @@ std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::stri
       is_selected[j] = true;
       is_known = true;
     }
-    if (!is_known && unknown.empty()) unknown = name;
+    if (!is_known && !unknown) unknown = name;
   }
   std::vector<std::size_t> selected;
   for (std::size_t j = 0; j < is_selected.size(); ++j) {
@@ -86,11 +79,12 @@ std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::stri
   return selected;
 }
 
-PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip, std::size_t begin,
-                 std::size_t count) {
+PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip,
+                 const FrameRange& range) {
   KinematicsOptions options;
-  options.first_frame = begin;
-  options.num_frames = count;
+  options.first_frame = range.begin;
+  options.frame_step = range.step;
+  options.num_frames = range.num_frames();
   options.rotations = fk.has_rotations;
   options.directions = fk.has_directions;
   options.tips = fk.has_tips;
@@ -101,13 +95,14 @@ PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip, std::
 /// Writes the table a block of frames at a time, so that a long clip needs little memory.
 bool write_csv(const Fk& fk, const PoseTable& table, const Clip& clip, const FrameRange& range,
                const Sink& sink) {
-  // A whole number of steps, so that the steps of one block go on in the next.
-  const std::size_t num_steps = frames_per_block(*table.skeleton) / table.frame_step;
-  const std::size_t block = table.frame_step * std::max<std::size_t>(1, num_steps);
+  const std::size_t num_frames = range.num_frames();
+  const std::size_t block = frames_per_block(*table.skeleton);
   bool is_good = write_pose_csv_header(table, sink);
-  for (std::size_t begin = range.begin; is_good && begin < range.end; begin += block) {
-    const std::size_t count = std::min(block, range.end - begin);
-    is_good = write_pose_csv(table, place(fk, *table.skeleton, clip, begin, count), sink);
+  for (std::size_t done = 0; is_good && done < num_frames; done += block) {
+    FrameRange part = range;
+    part.begin = range.begin + done * range.step;
+    part.end = part.begin + (std::min(block, num_frames - done) - 1) * range.step + 1;
+    is_good = write_pose_csv(table, place(fk, *table.skeleton, clip, part), sink);
   }
   return is_good;
 }
@@ -121,8 +116,7 @@ int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, co
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (is_json) {
-    const std::size_t count = range.end - range.begin;
-    write_pose_json(table, place(fk, *table.skeleton, clip, range.begin, count), sink);
+    write_pose_json(table, place(fk, *table.skeleton, clip, range), sink);
   } else {
     write_csv(fk, table, clip, range, sink);
   }
@@ -166,16 +160,14 @@ int run(const Fk& fk, const Globals& globals) {
                                             "'{}'",
                                             clip.num_frames, fk.frames));
   }
-  std::string unknown;
-  PoseTable table{&skeleton,   &clip.timeline,   select_joints(skeleton, fk.joints, unknown),
-                  range->step, fk.has_rotations, fk.has_directions,
-                  fk.has_tips};
-  if (!unknown.empty()) {
-    return usage_error(globals, fmt::format("there is no joint '{}' in '{}'", unknown, fk.file));
+  std::optional<std::string> unknown;
+  PoseTable table{&skeleton,        &clip.timeline,    select_joints(skeleton, fk.joints, unknown),
+                  fk.has_rotations, fk.has_directions, fk.has_tips};
+  if (unknown) {
+    return usage_error(globals, fmt::format("there is no joint '{}' in '{}'", *unknown, fk.file));
   }
   if (fk.unit == "m") {
-    const auto given = metres_of(fk.unit_in);
-    table.length_scale = given.value_or(skeleton.metres_per_unit);
+    table.length_scale = skeleton.metres_per_unit;
     if (table.length_scale == 0) {
       return usage_error(globals,
                          "the file does not say its unit of length, so --unit m needs "
@@ -183,10 +175,6 @@ int run(const Fk& fk, const Globals& globals) {
     }
   }
   return write_table(fk, globals, table, clip, *range, *is_json);
-}
-
-std::string check_unit(const std::string& text) {
-  return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
 }
 
 }  // namespace
@@ -215,9 +203,6 @@ void add_fk(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"file", "m"}))
       ->default_str("file")
       ->type_name("UNIT");
-  command->add_option("--unit-in", fk->unit_in, "What the file's unit of length is")
-      ->check(check_unit)
-      ->type_name("m|cm|mm|inch|FACTOR");
   command->add_flag("--force", fk->may_replace, "Replace an existing file");
   add_reading_options(*command, fk->reading);
   command->callback([fk, &globals] { globals.run = [fk, &globals] { return run(*fk, globals); }; });

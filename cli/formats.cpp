@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -13,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 int run(bool is_json) {
   Json all = Json::array();
-  if (!is_json) fmt::print("{:<8}{:<8}{:<10}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS");
+  if (!is_json)
+    print_data(fmt::format("{:<8}{:<8}{:<10}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS"));
   for (const Format& format : formats()) {
     const bool is_read = format.read != nullptr;
     const bool is_written = format.write != nullptr;
@@ -29,11 +31,11 @@ int run(bool is_json) {
     for (const std::string_view extension : format.extensions) {
       extensions += fmt::format("{}{}", extensions.empty() ? "" : " ", extension);
     }
-    fmt::print("{:<8}{:<8}{:<10}{}\n", format.name,
-               fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"), extensions,
-               format.description);
+    print_data(fmt::format("{:<8}{:<8}{:<10}{}\n", format.name,
+                           fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"),
+                           extensions, format.description));
   }
-  if (is_json) fmt::print("{}\n", all.dump(2));
+  if (is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return kDone;
 }
 

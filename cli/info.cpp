@@ -182,13 +182,13 @@ int run(const Info& info, const Globals& globals) {
     if (info.is_json) {
       all.push_back(json_of(name, *document));
     } else if (info.is_tree) {
-      if (info.files.size() > 1) fmt::print("{}:\n", name);
-      fmt::print("{}", tree_of(skeleton_of(*document)));
+      if (info.files.size() > 1) print_data(fmt::format("{}:\n", name));
+      print_data(tree_of(skeleton_of(*document)));
     } else {
-      fmt::print("{}", text_of(name, *document));
+      print_data(text_of(name, *document));
     }
   }
-  if (info.is_json) fmt::print("{}\n", all.dump(2));
+  if (info.is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return exit_code;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 
 #include "command.hpp"
+#include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 std::string first_word(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '-') return argv[i];
+    if (std::string_view(argv[i]) == "--color") ++i;
   }
   return {};
 }
@@ -64,22 +68,26 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
   if (!manual_kind.empty()) {
-    fmt::print("{}", manual(app, manual_kind));
-    return kDone;
+    print_data(manual(app, manual_kind));
+    return finish_output(kDone, globals);
   }
-  const int exit_code = globals.run();
-  // What the system still held back may fail to be written, too.
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "<stdout>: error[IO003]: cannot write\n");
-    return kIo;
-  }
-  return exit_code;
+  return finish_output(globals.run(), globals);
 }
 
 }  // namespace
+
+/// Opens on nothing what the caller closed of the standard streams, so that a file which is opened
+/// later does not get their number, and with it our messages.
+void open_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);
+  }
+}
+
 }  // namespace kinefile::cli
 
 int main(int argc, char** argv) {
+  kinefile::cli::open_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early is a failed write
   try {
     return kinefile::cli::run(argc, argv);

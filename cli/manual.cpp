@@ -73,11 +73,17 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return fmt::format("{}", fmt::join(words, separator));
 }
 
-std::string escaped_roff(std::string text) {
-  for (std::size_t i = 0; (i = text.find('-', i)) != std::string::npos; i += 2) {
-    text.insert(i, "\\");
+/// A text in which nothing means something to roff: backslashes, hyphens, and the dots and
+/// apostrophes that start a line.
+std::string escaped_roff(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool starts_line = escaped.empty() || escaped.back() == '\n';
+    if (starts_line && (c == '.' || c == '\'')) escaped += "\\&";
+    if (c == '-' || c == '\\') escaped += '\\';
+    escaped += c == '\\' ? 'e' : c;
   }
-  return text;
+  return escaped;
 }
 
 std::string man_option(const OptionText& option) {
@@ -148,7 +154,7 @@ std::string bash_completion(const CLI::App& app) {
       "  elif [[ -z $command ]]; then\n"
       "    COMPREPLY=($(compgen -W '{}' -- \"$word\"))\n"
       "  else\n"
-      "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
+      "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n"
       "  fi\n"
       "}}\n"
       "complete -o filenames -F _kinefile kinefile\n",

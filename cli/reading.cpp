@@ -17,7 +17,30 @@ PositionMode position_mode(const std::string& word) {
 std::string check_rate(const std::string& text) {
   double rate = 0;
   const bool is_number = CLI::detail::lexical_cast(text, rate);
-  return is_number && rate > 0 && std::isfinite(rate) ? "" : "expected frames a second above 0";
+  // Within these, frame times and times are finite numbers, too.
+  return is_number && rate >= 1e-9 && rate <= 1e9 ? "" : "expected frames a second above 0";
+}
+
+/// Metres in one unit of length, from a word or a number.
+std::optional<double> metres_of(const std::string& unit) {
+  if (unit == "m") return 1.0;
+  if (unit == "cm") return 0.01;
+  if (unit == "mm") return 0.001;
+  if (unit == "inch") return 0.0254;
+  double factor = 0;
+  const bool is_number = CLI::detail::lexical_cast(unit, factor);
+  return is_number && factor > 0 && factor < 1e30 ? std::optional(factor) : std::nullopt;
+}
+
+std::string check_unit(const std::string& text) {
+  return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
+}
+
+/// Gives a document the unit of length that its file does not say.
+void say_unit(Document& document, double metres) {
+  Motion* motion = std::get_if<Motion>(&document.content);
+  Skeleton& skeleton = motion != nullptr ? motion->skeleton : std::get<Skeleton>(document.content);
+  if (skeleton.metres_per_unit == 0) skeleton.metres_per_unit = metres;
 }
 
 std::vector<std::string> readable_formats() {
@@ -49,6 +72,11 @@ void add_reading_options(CLI::App& command, Reading& reading) {
                   "Encoding of the input; else byte order marks and its bytes tell")
       ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
       ->type_name("ENCODING");
+  command
+      .add_option("--unit-in", reading.unit_in,
+                  "What one unit of length is, where the file does not say")
+      ->check(check_unit)
+      ->type_name("m|cm|mm|inch|FACTOR");
   command.add_flag("--lenient", reading.is_lenient,
                    "Repair the faults that docs/errors.md names, with a warning each");
   command.add_flag("--strict", reading.is_strict, "Take warnings for errors");
@@ -63,7 +91,9 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   options.positions = position_mode(reading.positions);
   options.fps = reading.fps;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
-  return read_file(path, format, options, diagnostics);
+  auto document = read_file(path, format, options, diagnostics);
+  if (document && !reading.unit_in.empty()) say_unit(*document, *metres_of(reading.unit_in));
+  return document;
 }
 
 std::optional<Document> load(const std::string& path, const Reading& reading,

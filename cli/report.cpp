@@ -51,15 +51,15 @@ void print_one(std::FILE* stream, const Diagnostic& diagnostic, bool has_color) 
 
 void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals) {
   const bool has_color = wants_color(stream, globals);
-  std::map<std::string, std::size_t> printed;
+  std::map<std::pair<std::string, Severity>, std::size_t> printed;
   for (const Diagnostic* item : diagnostics.by_place()) {
     if (globals.is_quiet && item->severity != Severity::Error) continue;
-    const std::size_t count = ++printed[item->code];
+    const std::size_t count = ++printed[{item->code, item->severity}];
     if (count <= kMostOfOneCode) print_one(stream, *item, has_color);
     if (count != kMostOfOneCode + 1) continue;
     const std::string more =
         fmt::format("{}: {} of {} [{}] are shown\n", item->place.source, kMostOfOneCode,
-                    diagnostics.count_of(item->code), item->code);
+                    diagnostics.count_of(item->code, item->severity), item->code);
     std::fwrite(more.data(), 1, more.size(), stream);
   }
 }
@@ -70,6 +70,16 @@ void print_error(const Error& error, const Globals& globals) {
   const std::string pipe_closed = fmt::format("cannot write: {}", std::strerror(EPIPE));
   if (error.place.source == "<stdout>" && error.message == pipe_closed) return;
   print_one(stderr, error, wants_color(stderr, globals));
+}
+
+void print_data(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+int finish_output(int exit_code, const Globals& globals) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  print_error(make_error(ErrorKind::Io, "IO003",
+                         fmt::format("cannot write: {}", std::strerror(errno)), "<stdout>"),
+              globals);
+  return kIo;
 }
 
 ExitCode exit_code_of(const Error& error) {

@@ -14,6 +14,12 @@ void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const 
 /// Prints an error that is not among diagnostics, on stderr.
 void print_error(const Error& error, const Globals& globals);
 
+/// Prints data on stdout. A fault is noticed by `finish_output`.
+void print_data(std::string_view text);
+
+/// Sees that all data has been written, and reports it if not: returns `exit_code`, or kIo.
+int finish_output(int exit_code, const Globals& globals);
+
 /// The program's exit code for an error.
 ExitCode exit_code_of(const Error& error);
 

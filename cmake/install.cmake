@@ -15,6 +15,8 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/kinefileConfigVersion.cm
   COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/kinefileConfig.cmake"
   "${PROJECT_BINARY_DIR}/kinefileConfigVersion.cmake" DESTINATION "${package_folder}")
+# Relative, since `cmake --install --prefix` may put the files anywhere.
+file(RELATIVE_PATH kinefile_prefix_from_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/kinefile.pc.in" "${PROJECT_BINARY_DIR}/kinefile.pc"
   @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/kinefile.pc"

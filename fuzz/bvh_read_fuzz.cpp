@@ -31,7 +31,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ReadOptions options;
   options.lenient = (data[0] & 1) != 0;
   options.positions = static_cast<PositionMode>((data[0] >> 1) % 3);
-  if ((data[0] & 8) != 0) options.encoding = "cp932";
+  constexpr const char* kEncodings[] = {"", "utf-8", "cp932", "utf-16le"};
+  options.encoding = kEncodings[(data[0] >> 3) % 4];
+  if ((data[0] & 64) != 0) options.fps = 25;
   Diagnostics diagnostics;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const auto document = find_format("bvh")->read(bytes, options, diagnostics);

@@ -4,7 +4,7 @@
 # world, convert it, compare. Run by `make demo`.
 set -eu
 
-bin=$1
+bin=$(cd "$1" && pwd)
 out=$2
 mkdir -p "$out"
 say() { printf '\n== %s\n' "$*"; }

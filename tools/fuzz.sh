@@ -12,7 +12,7 @@ run_target() {
   mkdir -p "$folder/corpus"
   fixtures=$(find "tests/formats/$format" -type d)
   # shellcheck disable=SC2086 # one word a folder
-  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=4096 -timeout=10 \
+  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=16384 -timeout=10 \
     -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/" \
     "$folder/corpus" $fixtures >"$folder/log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
@@ -27,5 +27,7 @@ run_target bvh_read_fuzz bvh &
 first=$!
 run_target bvh_round_trip_fuzz bvh &
 second=$!
-wait $first
-wait $second
+failed=0
+wait $first || failed=1
+wait $second || failed=1
+exit $failed

@@ -6,7 +6,7 @@ set -eu
 say() { printf '\n== %s\n' "$*"; }
 
 say "Layout of the code"
-git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 --dry-run --Werror
+tools/sources.sh . | xargs clang-format-14 --dry-run --Werror
 
 say "Release build: unit, format, property, transcript, header, layer and document tests"
 tools/build.sh release

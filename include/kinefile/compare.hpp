@@ -30,7 +30,8 @@ struct MotionComparison {
 
 /// Compares where two motions put their joints. Joints are matched by name, repeated names in
 /// their order; each frame of the first is held against the frame of the second that is nearest
-/// in time. Where just one of two numbers is NaN, they differ by infinity.
+/// in time; motions without frames are compared in their rest poses. Where just one of two numbers
+/// is NaN, they differ by infinity.
 MotionComparison compare_motions(const Motion& first, const Motion& second);
 
 }  // namespace kinefile

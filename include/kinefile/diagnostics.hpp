@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kinefile {
@@ -53,8 +54,8 @@ struct Error : Diagnostic {
 Error make_error(ErrorKind kind, std::string code, std::string message, std::string source = {});
 
 /// Collects what is noticed on the way. A parameter of every reader and writer, so that no caller
-/// overlooks it. Keeps at most `kMaxPerCode` diagnostics of one code and counts the rest, so that
-/// a hostile file cannot fill the memory with them.
+/// overlooks it. Keeps at most `kMaxPerCode` diagnostics of one code and severity and counts the
+/// rest, so that a hostile file cannot fill the memory with them.
 class Diagnostics {
  public:
   static constexpr std::size_t kMaxPerCode = 100'000;
@@ -69,8 +70,13 @@ class Diagnostics {
   /// How many were added with this severity, those beyond `kMaxPerCode` included.
   std::size_t count(Severity severity) const;
   bool has_errors() const { return count(Severity::Error) > 0; }
-  /// How many of this code were added, those beyond `kMaxPerCode` included.
-  std::size_t count_of(const std::string& code) const;
+  /// How many of this code and severity were added, those beyond `kMaxPerCode` included.
+  std::size_t count_of(const std::string& code, Severity severity) const;
+  /// Whether diagnostics of this code and severity are only counted from now on, so that their
+  /// texts need not be made.
+  bool is_full(const std::string& code, Severity severity) const;
+  /// Adds all of another's, as if they had been noticed here.
+  void append(Diagnostics&& other);
   /// The error that came first. Precondition: `has_errors()`.
   Error first_error() const;
 
@@ -78,8 +84,7 @@ class Diagnostics {
 
  private:
   std::vector<Diagnostic> items_;
-  std::map<std::string, std::size_t> count_by_code_;
-  std::size_t count_by_severity_[3] = {0, 0, 0};
+  std::map<std::pair<std::string, Severity>, std::size_t> counts_;
 };
 
 /// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, where

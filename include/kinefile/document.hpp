@@ -10,7 +10,7 @@
 namespace kinefile {
 
 /// What a format keeps beyond the model and needs to write the same file again, without the
-/// numbers: words for that format alone, by key. Another format drops them with a note.
+/// numbers: words for that format alone, by key. Another format leaves them out.
 struct Extras {
   std::map<std::string, std::string> file;                           ///< key to value
   std::map<std::string, std::map<std::string, std::string>> joints;  ///< joint name, key to value

@@ -28,7 +28,9 @@ struct ChannelOptions {
   std::optional<RotationOrder> order =
       std::nullopt;  ///< absent: each joint's own, or ZXY where it has none
   PositionChannels positions = PositionChannels::AsIs;
-  bool lenient = false;  ///< drop positions that change, with a warning
+  bool adds_positions = false;  ///< new position channels are added to offsets, not in their place;
+                                ///< as the motion's own are, if it has any that tell
+  bool lenient = false;         ///< drop positions that change, with a warning
 };
 
 /// Gives a motion other channels for the same movement: the world stays as it is.

@@ -34,8 +34,7 @@ struct ReadOptions {
 /// How to write a file.
 struct WriteOptions {
   std::optional<int> decimals =
-      std::nullopt;      ///< digits after the point; absent: the shortest exact form
-  bool lenient = false;  ///< go on where something would be lost, with a warning
+      std::nullopt;  ///< digits after the point; absent: the shortest exact form
 };
 
 /// Takes the next piece of the output; returns false to stop.

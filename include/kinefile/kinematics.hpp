@@ -13,7 +13,8 @@ namespace kinefile {
 /// Which frames to place and what to tell of them, beside the positions.
 struct KinematicsOptions {
   std::size_t first_frame = 0;
-  std::size_t num_frames = std::numeric_limits<std::size_t>::max();  ///< as many as there are
+  std::size_t num_frames = std::numeric_limits<std::size_t>::max();  ///< at most so many
+  std::size_t frame_step = 1;                                        ///< every so many frames
   bool rotations = false;
   bool directions = false;
   bool tips = false;

@@ -14,7 +14,6 @@ struct PoseTable {
   const Skeleton* skeleton = nullptr;
   const Timeline* timeline = nullptr;
   std::vector<std::size_t> joints;  ///< which ones, in skeleton order
-  std::size_t frame_step = 1;       ///< every so many rows of the poses
   bool rotations = false;
   bool directions = false;
   bool tips = false;

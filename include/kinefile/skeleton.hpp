@@ -79,6 +79,10 @@ std::vector<double> rest_coordinates(const Skeleton& skeleton);
 /// its translations.
 Vec3 rest_offset(const Joint& joint);
 
+/// Whether translations are added to offsets that they do not replace, as BVH files read with
+/// `--positions add` have it: a translation along an axis in which the offset is not zero.
+bool adds_positions(const Skeleton& skeleton);
+
 /// Six for a free joint, one for every other degree of freedom.
 std::size_t num_dofs(const Joint& joint);
 std::size_t num_dofs(const Skeleton& skeleton);
@@ -91,6 +95,9 @@ std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton
 
 /// The number of tips of all joints.
 std::size_t num_tips(const Skeleton& skeleton);
+
+/// The first tip of every joint among the tips of all joints; shape (joints).
+std::vector<std::size_t> first_tips_of_joints(const Skeleton& skeleton);
 
 /// What a tip is called in tables: `JOINT.tip`, then `JOINT.tip2` and so on.
 std::string tip_label(const Joint& joint, std::size_t tip);

@@ -34,10 +34,24 @@ void Diagnostics::add(Diagnostic diagnostic) {
   if (warnings_are_errors && diagnostic.severity == Severity::Warning) {
     diagnostic.severity = Severity::Error;
   }
-  ++count_by_severity_[static_cast<std::size_t>(diagnostic.severity)];
-  if (++count_by_code_[diagnostic.code] <= kMaxPerCode) {
+  if (++counts_[{diagnostic.code, diagnostic.severity}] <= kMaxPerCode) {
     items_.push_back(std::move(diagnostic));
   }
+}
+
+bool Diagnostics::is_full(const std::string& code, Severity severity) const {
+  const bool is_raised = warnings_are_errors && severity == Severity::Warning;
+  return count_of(code, is_raised ? Severity::Error : severity) >= kMaxPerCode;
+}
+
+void Diagnostics::append(Diagnostics&& other) {
+  std::map<std::pair<std::string, Severity>, std::size_t> num_kept;
+  for (Diagnostic& item : other.items_) {
+    ++num_kept[{item.code, item.severity}];
+    add(std::move(item));
+  }
+  for (const auto& [key, count] : other.counts_) counts_[key] += count - num_kept[key];
+  other = {};
 }
 
 std::vector<const Diagnostic*> Diagnostics::by_place() const {
@@ -51,12 +65,14 @@ std::vector<const Diagnostic*> Diagnostics::by_place() const {
 }
 
 std::size_t Diagnostics::count(Severity severity) const {
-  return count_by_severity_[static_cast<std::size_t>(severity)];
+  std::size_t sum = 0;
+  for (const auto& [key, count] : counts_) sum += key.second == severity ? count : 0;
+  return sum;
 }
 
-std::size_t Diagnostics::count_of(const std::string& code) const {
-  const auto found = count_by_code_.find(code);
-  return found == count_by_code_.end() ? 0 : found->second;
+std::size_t Diagnostics::count_of(const std::string& code, Severity severity) const {
+  const auto found = counts_.find({code, severity});
+  return found == counts_.end() ? 0 : found->second;
 }
 
 Error Diagnostics::first_error() const {
@@ -96,13 +112,31 @@ std::string blanks_for(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+/// A text without control characters, which may come from a file and mean something to a terminal.
+std::string without_controls(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      safe += fmt::format("\\x{:02x}", byte);
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace
+
 std::string to_string(const Diagnostic& diagnostic) {
   const Place& place = diagnostic.place;
-  std::string text = place.source;
+  std::string text = without_controls(place.source);
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
   if (!text.empty()) text += ": ";
   text += fmt::format("{}[{}]: {}", severity_name(diagnostic.severity), diagnostic.code,
-                      diagnostic.message);
+                      without_controls(diagnostic.message));
   if (place.line > 0 && !diagnostic.excerpt.empty()) {
     const std::string_view before =
         std::string_view(diagnostic.excerpt).substr(0, diagnostic.caret);

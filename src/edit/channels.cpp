@@ -10,12 +10,7 @@ namespace kinefile {
 namespace {
 
 /// The axis of x, y, z that a degree of freedom is about or along.
-std::optional<std::size_t> axis_of(const DegreeOfFreedom& dof) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (dof.axis == Vec3::Unit(static_cast<Eigen::Index>(k))) return k;
-  }
-  return std::nullopt;
-}
+std::optional<std::size_t> axis_of(const DegreeOfFreedom& dof) { return coordinate_axis(dof.axis); }
 
 std::vector<DegreeOfFreedom> rotations_of(const Joint& joint) {
   std::vector<DegreeOfFreedom> rotations;
@@ -101,16 +96,6 @@ Result<void> drop_positions(const Context& context, const Joint& joint, JointCha
     change.offset += *constant * dof.axis;
   }
   return {};
-}
-
-/// Whether position channels are added to offsets, as BVH's `--positions add` reads them, and do
-/// not replace them. A file has one way for all of its joints.
-bool adds_positions(const Skeleton& skeleton) {
-  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
-    return std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
-      return dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0;
-    });
-  });
 }
 
 /// Keeps the joint's position channels and adds those that it lacks.
@@ -244,10 +229,12 @@ void fill_columns(const Motion& source, const JointChange& change, std::size_t f
   const AngleUnit unit = source.skeleton.angle_unit;
   const double radians_per_unit = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
   Vec3 angles = Vec3::Zero();
+  Vec3 near = angles;  // the last that were finite
   for (std::size_t f = 0; f < source.clip.num_frames; ++f) {
     const auto row = source.clip.row(f);
     if (change.has_new_angles) {
-      angles = euler_angles(rotation_in(change.old_rotations, row, unit), change.axes, angles);
+      if (angles.allFinite()) near = angles;
+      angles = euler_angles(rotation_in(change.old_rotations, row, unit), change.axes, near);
     }
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const NewColumn& column = change.columns[c];
@@ -287,7 +274,8 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const Context context{motion, options, diagnostics, adds_positions(motion.skeleton),
+  const Context context{motion, options, diagnostics,
+                        options.adds_positions || adds_positions(motion.skeleton),
                         columns_of_joints(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;

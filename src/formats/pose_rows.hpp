@@ -19,10 +19,7 @@ struct PoseRow {
 /// The lines of each frame, in the order of the table.
 inline std::vector<PoseRow> pose_rows(const PoseTable& table) {
   const std::vector<Joint>& joints = table.skeleton->joints;
-  std::vector<std::size_t> first_tip(joints.size(), 0);
-  for (std::size_t j = 1; j < joints.size(); ++j) {
-    first_tip[j] = first_tip[j - 1] + joints[j - 1].tips.size();
-  }
+  const std::vector<std::size_t> first_tip = first_tips_of_joints(*table.skeleton);
   std::vector<PoseRow> rows;
   for (const std::size_t j : table.joints) {
     rows.push_back({joints[j].name, j, j, false});

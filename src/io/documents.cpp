@@ -7,7 +7,7 @@ namespace kinefile {
 namespace {
 
 /// How much of a file is looked at to tell its format.
-constexpr std::size_t kHeadBytes = 4096;
+constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
 std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   std::string names;
@@ -56,6 +56,8 @@ Result<void> write_file(const std::string& path, const Document& document, const
   const auto written = format.write(document, options, sink, diagnostics);
   // A fault of the file says more than that the writer was stopped.
   if (!written && written.error().kind != ErrorKind::Io) return fail(written.error());
+  // Under --strict a warning of the writer is an error, and the file does not come into being.
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   return file->commit();
 }
 

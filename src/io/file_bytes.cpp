@@ -15,7 +15,7 @@ namespace {
 
 Error cannot_read(const std::string& path, int reason) {
   return make_error(ErrorKind::Io, "IO001", fmt::format("cannot read: {}", std::strerror(reason)),
-                    path);
+                    path == "-" ? "<stdin>" : path);
 }
 
 /// A file descriptor that closes itself.

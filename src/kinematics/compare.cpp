@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "kinefile/kinematics.hpp"
@@ -50,6 +51,7 @@ std::size_t nearest_frame(const Clip& clip, double time) {
   if (clip.timeline.times.empty()) {
     const double frame = std::round(time / frame_time(clip.timeline));
     const auto last = static_cast<double>(clip.num_frames - 1);
+    if (std::isnan(frame)) return 0;
     return static_cast<std::size_t>(std::clamp(frame, 0.0, last));
   }
   const auto& times = clip.timeline.times;
@@ -74,7 +76,9 @@ double distance_of(const double* a, const double* b) {
 
 double rotation_of(const double* a, const double* b) {
   const auto has_nan = [](const double* q) { return std::isnan(q[0] + q[1] + q[2] + q[3]); };
-  if (has_nan(a) || has_nan(b)) return has_nan(a) && has_nan(b) ? 0 : 180;
+  if (has_nan(a) || has_nan(b)) {
+    return has_nan(a) && has_nan(b) ? 0 : std::numeric_limits<double>::infinity();
+  }
   return angle_between(Quat(a[0], a[1], a[2], a[3]), Quat(b[0], b[1], b[2], b[3])) /
          kRadiansPerDegree;
 }
@@ -83,17 +87,6 @@ void keep_larger(LargestDifference& largest, double value, const std::string& jo
                  std::size_t frame, double time) {
   if (!largest.joint.empty() && value <= largest.value) return;
   largest = {value, joint, frame, time};
-}
-
-/// The first tip of every joint in the arrays of poses.
-std::vector<std::size_t> first_tips(const Skeleton& skeleton) {
-  std::vector<std::size_t> first;
-  std::size_t count = 0;
-  for (const Joint& joint : skeleton.joints) {
-    first.push_back(count);
-    count += joint.tips.size();
-  }
-  return first;
 }
 
 struct Side {
@@ -148,22 +141,31 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
   comparison.num_frames_first = first.clip.num_frames;
   comparison.num_frames_second = second.clip.num_frames;
   const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
+  if (first.clip.num_frames == 0 && second.clip.num_frames == 0) {
+    Motion first_rest{first.skeleton, rest_clip(first.skeleton)};
+    Motion second_rest{second.skeleton, rest_clip(second.skeleton)};
+    MotionComparison at_rest = compare_motions(first_rest, second_rest);
+    at_rest.num_frames_first = at_rest.num_frames_second = 0;
+    return at_rest;
+  }
   if (first.clip.num_frames == 0 || second.clip.num_frames == 0) return comparison;
 
-  Side a{first, first_tips(first.skeleton), {}};
-  Side b{second, first_tips(second.skeleton), {}};
-  const std::size_t block = frames_per_block(first.skeleton);
-  for (std::size_t start = 0; start < first.clip.num_frames; start += block) {
-    place(a, start, block);
-    const auto partner = [&](std::size_t row) {
-      return nearest_frame(second.clip, time_of_frame(first.clip.timeline, start + row));
-    };
-    const std::size_t first_partner = partner(0);
-    place(b, first_partner, partner(a.poses.num_frames - 1) - first_partner + 1);
-    for (std::size_t row = 0; row < a.poses.num_frames; ++row) {
-      for (const JointPair pair : pairs) {
-        compare_joint(a, b, pair, row, partner(row) - first_partner, comparison);
-      }
+  Side a{first, first_tips_of_joints(first.skeleton), {}};
+  Side b{second, first_tips_of_joints(second.skeleton), {}};
+  const auto partner = [&](std::size_t frame) {
+    return nearest_frame(second.clip, time_of_frame(first.clip.timeline, frame));
+  };
+  const std::size_t most_a = frames_per_block(first.skeleton);
+  const std::size_t most_b = frames_per_block(second.skeleton);
+  for (std::size_t start = 0; start < first.clip.num_frames; start += a.poses.num_frames) {
+    std::size_t count = std::min(most_a, first.clip.num_frames - start);
+    const std::size_t first_partner = partner(start);
+    while (count > 1 && partner(start + count - 1) - first_partner >= most_b) count /= 2;
+    place(a, start, count);
+    place(b, first_partner, partner(start + count - 1) - first_partner + 1);
+    for (std::size_t row = 0; row < count; ++row) {
+      const std::size_t row_b = partner(start + row) - first_partner;
+      for (const JointPair pair : pairs) compare_joint(a, b, pair, row, row_b, comparison);
     }
   }
   return comparison;

@@ -81,7 +81,9 @@ void compute(const Skeleton& skeleton, const Clip& clip, const KinematicsOptions
              bool is_local, PoseArrays& out) {
   assert(clip.num_coordinates == skeleton.coordinates.size());
   out.first_frame = std::min(options.first_frame, clip.num_frames);
-  out.num_frames = std::min(options.num_frames, clip.num_frames - out.first_frame);
+  out.frame_step = std::clamp<std::size_t>(options.frame_step, 1, clip.num_frames + 1);
+  const std::size_t num_left = clip.num_frames - out.first_frame;
+  out.num_frames = std::min(options.num_frames, (num_left + out.frame_step - 1) / out.frame_step);
   out.num_joints = skeleton.joints.size();
   out.num_tips = num_tips(skeleton);
   const std::size_t num_poses = out.num_frames * out.num_joints;
@@ -93,7 +95,7 @@ void compute(const Skeleton& skeleton, const Clip& clip, const KinematicsOptions
     return array.empty() ? nullptr : array.data();
   };
   const simd::Rows rows{clip.values.data() + out.first_frame * clip.num_coordinates, out.num_frames,
-                        clip.num_coordinates};
+                        clip.num_coordinates * out.frame_step};
   simd::place_frames(make_plan(skeleton, is_local), rows,
                      {data(out.positions), data(out.rotations), data(out.directions),
                       data(out.tips), out.num_tips});

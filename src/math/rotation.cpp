@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cassert>
 #include <cmath>
 
 #include "kinefile/math.hpp"
@@ -18,9 +19,7 @@ Vec3 nearest_turns(const Vec3& angles, const Vec3& near) {
           nearest_turn(angles[2], near[2])};
 }
 
-}  // namespace
-
-bool are_euler_axes(const EulerAxes& axes) {
+[[maybe_unused]] bool are_euler_axes(const EulerAxes& axes) {
   constexpr double kTolerance = 1e-9;
   for (const Vec3& axis : axes) {
     if (std::abs(axis.norm() - 1) > kTolerance) return false;
@@ -31,7 +30,17 @@ bool are_euler_axes(const EulerAxes& axes) {
          (std::abs(along_first - 1) < kTolerance || std::abs(along_third - 1) < kTolerance);
 }
 
+}  // namespace
+
+std::optional<std::size_t> coordinate_axis(const Vec3& axis) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (axis == Vec3::Unit(static_cast<Eigen::Index>(k))) return k;
+  }
+  return std::nullopt;
+}
+
 Vec3 euler_angles(const Mat3& rotation, const EulerAxes& axes, const Vec3& near) {
+  assert(are_euler_axes(axes));
   // In the basis of the axes the rotation is Rx(a) Ry(b) Rz(s c), or Rx(a) Ry(b) Rx(s c).
   Mat3 basis;
   basis << axes[0], axes[1], axes[0].cross(axes[1]);

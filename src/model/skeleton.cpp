@@ -90,6 +90,15 @@ Vec3 rest_offset(const Joint& joint) {
   return offset;
 }
 
+bool adds_positions(const Skeleton& skeleton) {
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0) return true;
+    }
+  }
+  return false;
+}
+
 std::size_t num_dofs(const Joint& joint) {
   std::size_t count = 0;
   for (const DegreeOfFreedom& dof : joint.dofs) count += dof.kind == DofKind::Free ? 6 : 1;
@@ -123,6 +132,16 @@ std::size_t num_tips(const Skeleton& skeleton) {
   std::size_t count = 0;
   for (const Joint& joint : skeleton.joints) count += joint.tips.size();
   return count;
+}
+
+std::vector<std::size_t> first_tips_of_joints(const Skeleton& skeleton) {
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const Joint& joint : skeleton.joints) {
+    first.push_back(count);
+    count += joint.tips.size();
+  }
+  return first;
 }
 
 std::string tip_label(const Joint& joint, std::size_t tip) {

@@ -45,8 +45,8 @@ struct Block {
   std::size_t count;
 
   HWY_INLINE void load(std::size_t coordinate, Lanes& lanes) const {
-    const double* from = rows.values + first * rows.num_coordinates + coordinate;
-    for (std::size_t i = 0; i < count; ++i) lanes.v[i] = from[i * rows.num_coordinates];
+    const double* from = rows.values + first * rows.stride + coordinate;
+    for (std::size_t i = 0; i < count; ++i) lanes.v[i] = from[i * rows.stride];
     for (std::size_t i = count; i < kBlock; ++i) lanes.v[i] = lanes.v[count - 1];
   }
 };

@@ -61,11 +61,11 @@ struct Plan {
   bool is_local = false;  ///< parent_from_joint instead of world_from_joint
 };
 
-/// Rows of values, [frame][coordinate].
+/// Rows of values, [frame][coordinate], each `stride` numbers behind the one before.
 struct Rows {
   const double* values;
   std::size_t num_frames;
-  std::size_t num_coordinates;
+  std::size_t stride;
 };
 
 /// Where poses go, laid out as in `PoseArrays`; null for what is not wanted.

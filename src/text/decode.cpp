@@ -200,6 +200,10 @@ Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
 
   const Source source(source_name, text.view());
   for (const std::size_t offset : bad) {
+    if (diagnostics.is_full("TXT001", Severity::Warning)) {
+      diagnostics.add({Severity::Warning, "TXT001", {}, {}, {}, 0});
+      continue;
+    }
     diagnostics.add(source.diagnose(
         Severity::Warning, "TXT001",
         fmt::format("expected a character of {}, found other bytes; read as U+FFFD", text.encoding),

@@ -22,7 +22,8 @@ constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 /// The fast path is taken where so many bytes can be looked at without checking for the end.
-constexpr std::ptrdiff_t kFastBytes = 32;
+/// A sign, 15 digits, a point, 16 more digits and the character behind them are 34.
+constexpr std::ptrdiff_t kFastBytes = 34;
 
 /// Reads what nearly all numbers of motion files look like: a sign, digits, a point, digits, at
 /// most 15 digits in all. Such a number is a quotient of two whole numbers that doubles hold
@@ -115,7 +116,9 @@ Number parse_number(std::string_view token) {
     std::string pointed(token);
     pointed[comma] = '.';
     const Number number = parse_number(pointed);
-    if (number.fault == NumberFault::None) return {number.value, NumberFault::DecimalComma};
+    if (number.fault == NumberFault::None && std::isfinite(number.value)) {
+      return {number.value, NumberFault::DecimalComma};
+    }
   }
   return {0, NumberFault::NotANumber};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace kinefile::text {
 namespace {
@@ -26,6 +27,12 @@ void Printer::print(double number) {
     fmt::format_to(std::back_inserter(buffer_), "{}", number);
   }
   if (buffer_.size() >= kPieceBytes) hand_on();
+}
+
+void Printer::print_exact(double number) {
+  const std::optional<int> decimals = std::exchange(decimals_, std::nullopt);
+  print(number);
+  decimals_ = decimals;
 }
 
 bool Printer::finish() {

@@ -21,6 +21,8 @@ class Printer {
 
   void print(std::string_view text);
   void print(double number);
+  /// Prints a number in its shortest exact form, whatever `decimals` says: a time, a count.
+  void print_exact(double number);
   void print(char character) { buffer_.push_back(character); }
 
   /// Hands on what is left. Returns false if the sink ever did.

@@ -22,23 +22,26 @@ std::vector<std::size_t> find_line_starts(std::string_view text) {
   return starts;
 }
 
-/// Cuts a long line to a window around a column, at the borders of UTF-8 characters.
-void cut_excerpt(std::string_view line, std::size_t column, Diagnostic& diagnostic) {
-  std::size_t begin = 0;
-  std::size_t end = line.size();
-  if (line.size() > kExcerptBytes) {
-    begin = column > kExcerptBytes / 2 ? column - kExcerptBytes / 2 : 0;
-    end = std::min(line.size(), begin + kExcerptBytes);
-    while (begin < end && is_continuation(line[begin])) ++begin;
-    while (end < line.size() && end > begin && is_continuation(line[end])) --end;
-  }
+/// Shows a line, or of a long one the part around a column, cut at the borders of characters.
+/// Looks no further than that part, since a line may be as long as the file.
+void cut_excerpt(std::string_view from_line_start, std::size_t column, Diagnostic& diagnostic) {
+  std::size_t begin = column > kExcerptBytes / 2 ? column - kExcerptBytes / 2 : 0;
+  const std::string_view ahead = from_line_start.substr(column, kExcerptBytes + 1);
+  const std::size_t line_end = ahead.find_first_of("\r\n");
+  const bool is_line_end_near = line_end != std::string_view::npos || ahead.size() <= kExcerptBytes;
+  std::size_t end = column + std::min(line_end, ahead.size());
+  if (end <= kExcerptBytes) begin = 0;
+  const bool is_cut = end - begin > kExcerptBytes || !is_line_end_near;
+  if (is_cut) end = std::min(end, begin + kExcerptBytes);
+  while (begin < end && is_continuation(from_line_start[begin])) ++begin;
+  while (is_cut && end > begin && is_continuation(from_line_start[end])) --end;
   diagnostic.excerpt = begin > 0 ? "..." : "";
   diagnostic.caret = diagnostic.excerpt.size() + column - begin;
-  for (const char c : line.substr(begin, end - begin)) {
+  for (const char c : from_line_start.substr(begin, end - begin)) {
     const auto byte = static_cast<unsigned char>(c);
     diagnostic.excerpt += (byte < 0x20 && c != '\t') || byte == 0x7F ? '?' : c;
   }
-  if (end < line.size()) diagnostic.excerpt += "...";
+  if (is_cut) diagnostic.excerpt += "...";
 }
 
 }  // namespace
@@ -60,10 +63,7 @@ Diagnostic Source::diagnose(Severity severity, std::string code, std::string mes
                             const char* position) const {
   Diagnostic diagnostic{severity, std::move(code), std::move(message), place_of(position), {}, 0};
   const std::size_t start = line_starts_[diagnostic.place.line - 1];
-  const std::size_t length = text_.substr(start).find_first_of("\r\n");
-  const std::size_t column = diagnostic.place.column - 1;
-  const std::string_view line = text_.substr(start, length);
-  cut_excerpt(line, std::min(column, line.size()), diagnostic);
+  cut_excerpt(text_.substr(start), diagnostic.place.column - 1, diagnostic);
   return diagnostic;
 }
 

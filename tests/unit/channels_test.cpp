@@ -79,6 +79,18 @@ TEST(WithChannels, TurnsBeyondHalfACircleGoOn) {
   EXPECT_GT(std::abs(other.clip.row(39)[3] - other.clip.row(0)[3]), 1000);
 }
 
+TEST(WithChannels, AFrameThatIsNotFiniteDoesNotSpoilTheNext) {
+  const ReadOptions quiet;
+  const auto read =
+      test::read_bvh(test::bvh_with_rows({"0 0 0 10 20 400 0 0 0", "0 0 0 nan 20 410 0 0 0",
+                                          "0 0 0 10 20 420 0 0 0"}),
+                     quiet);
+  const Motion other = changed(read.motion(), {.order = parse_rotation_order("YXZ")});
+  EXPECT_TRUE(std::isnan(other.clip.row(1)[3]));
+  EXPECT_FALSE(std::isnan(other.clip.row(2)[3]));
+  EXPECT_LT(std::abs(other.clip.row(2)[3] - other.clip.row(0)[3]), 90);
+}
+
 TEST(WithChannels, AsIsKeepsPositionsScalesAndSingleRotations) {
   const Motion mixed = test::motion_of(kMixed);
   const Motion other = changed(mixed, {.order = parse_rotation_order("XYZ")});

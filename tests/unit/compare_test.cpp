@@ -65,6 +65,9 @@ TEST(CompareMotions, EmptyMotionsHaveNothingToCompare) {
   const Motion empty = examples::make_walk({.num_frames = 0});
   EXPECT_EQ(compare_motions(walk, empty).distance.joint, "");
   EXPECT_EQ(compare_motions(empty, walk).num_frames_second, 3u);
+  Motion longer = empty;
+  longer.skeleton.joints[1].offset[1] += 2;
+  EXPECT_EQ(compare_motions(empty, longer).distance.value, 2);
 }
 
 }  // namespace

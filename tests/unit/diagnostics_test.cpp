@@ -39,8 +39,8 @@ TEST(Diagnostics, CountsBySeverityAndCode) {
   diagnostics.add(warning("BVH002"));
   diagnostics.add(warning("BVH001"));
   EXPECT_EQ(diagnostics.count(Severity::Warning), 3u);
-  EXPECT_EQ(diagnostics.count_of("BVH001"), 2u);
-  EXPECT_EQ(diagnostics.count_of("BVH009"), 0u);
+  EXPECT_EQ(diagnostics.count_of("BVH001", Severity::Warning), 2u);
+  EXPECT_EQ(diagnostics.count_of("BVH009", Severity::Warning), 0u);
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
@@ -58,7 +58,32 @@ TEST(Diagnostics, KeepsOnlySoManyOfOneCodeButCountsAll) {
   for (std::size_t i = 0; i < Diagnostics::kMaxPerCode + 5; ++i) diagnostics.add(warning("BVH1"));
   diagnostics.add(warning("BVH2"));
   EXPECT_EQ(diagnostics.items().size(), Diagnostics::kMaxPerCode + 1);
-  EXPECT_EQ(diagnostics.count_of("BVH1"), Diagnostics::kMaxPerCode + 5);
+  EXPECT_EQ(diagnostics.count_of("BVH1", Severity::Warning), Diagnostics::kMaxPerCode + 5);
+}
+
+TEST(Diagnostics, AnErrorIsKeptHoweverManyWarningsOfItsCodeThereAre) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < Diagnostics::kMaxPerCode + 5; ++i) diagnostics.add(warning("BVH1"));
+  Diagnostic error = warning("BVH1");
+  error.severity = Severity::Error;
+  diagnostics.add(error);
+  ASSERT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(diagnostics.first_error().code, "BVH1");
+}
+
+TEST(Diagnostics, AppendsAnotherOnesItemsAndCounts) {
+  Diagnostics a;
+  Diagnostics b;
+  a.add(warning("BVH1"));
+  for (std::size_t i = 0; i < Diagnostics::kMaxPerCode + 5; ++i) b.add(warning("BVH1"));
+  a.append(std::move(b));
+  EXPECT_EQ(a.count(Severity::Warning), Diagnostics::kMaxPerCode + 6);
+  EXPECT_EQ(a.items().size(), Diagnostics::kMaxPerCode);
+}
+
+TEST(Diagnostics, ShowsNoControlCharactersOfAFile) {
+  EXPECT_EQ(to_string(make_error(ErrorKind::Usage, "X", "joint '\x1b[2J'")),
+            "error[X]: joint '\\x1b[2J'");
 }
 
 }  // namespace

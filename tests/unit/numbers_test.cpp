@@ -150,7 +150,10 @@ TEST(ReadNumberRow, LeavesOddTokensToTheCaller) {
 
 TEST(ReadNumberRow, ReadsNothingBeyondTheText) {
   // Exact-size heap buffers, so that the address sanitizer sees a byte too many.
-  for (const std::string text : {"1", "-1.5", "12.", "-", "", " ", "1.5e", "\r"}) {
+  for (const std::string text :
+       {"1", "-1.5", "12.", "-", "", " ", "1.5e", "\r", "-123456789012345.123456789012345",
+        "-123456789012345.1234567890123456", "-123456789012345.12345678901234567",
+        "1234567890123456789012345678901234567890", "-.1234567890123456789012345678901"}) {
     const std::vector<char> exact(text.begin(), text.end());
     double out[4] = {};
     const NumberRow row = read_number_row(exact.data(), exact.data() + exact.size(), out, 4);

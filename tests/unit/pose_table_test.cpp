@@ -13,6 +13,7 @@ struct Table {
   Motion motion = test::motion_of(
       test::bvh_with_rows({"1 2 3 0 0 0 0 0 0", "4 5 6 90 0 0 0 0 0", "7 8 9 0 0 0 0 0 0"}));
   PoseTable spec{&motion.skeleton, &motion.clip.timeline, {0, 1}};
+  std::size_t step = 1;
   std::string text;
 
   Sink sink() {
@@ -22,8 +23,9 @@ struct Table {
     };
   }
   WorldPoses poses() const {
-    return forward_kinematics(motion.skeleton, motion.clip,
-                              {.rotations = true, .directions = true, .tips = true});
+    return forward_kinematics(
+        motion.skeleton, motion.clip,
+        {.frame_step = step, .rotations = true, .directions = true, .tips = true});
   }
 };
 
@@ -41,7 +43,7 @@ TEST(PoseTable, CsvHasARowForEachFrameAndJoint) {
 TEST(PoseTable, CsvTakesStepsJointsTipsAndUnits) {
   Table table;
   table.spec.joints = {1};
-  table.spec.frame_step = 2;
+  table.step = 2;
   table.spec.tips = true;
   table.spec.directions = true;
   table.spec.length_scale = 0.5;
@@ -57,7 +59,7 @@ TEST(PoseTable, CsvQuotesNames) {
   Table table;
   table.motion.skeleton.joints[0].name = "a,b";
   table.spec.joints = {0};
-  table.spec.frame_step = 9;
+  table.step = 9;
   write_pose_csv(table.spec, table.poses(), table.sink());
   EXPECT_EQ(table.text, "0,0,\"a,b\",1,2,3\n");
 }
@@ -65,7 +67,7 @@ TEST(PoseTable, CsvQuotesNames) {
 TEST(PoseTable, JsonHasAnArrayForEachQuantity) {
   Table table;
   table.spec.joints = {1};
-  table.spec.frame_step = 2;
+  table.step = 2;
   table.spec.tips = true;
   table.spec.rotations = true;
   write_pose_json(table.spec, table.poses(), table.sink());

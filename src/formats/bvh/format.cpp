@@ -55,13 +55,19 @@ PositionMode settle_positions(const File& file, const text::Source& source, Posi
   return asked;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
-                      Diagnostics& diagnostics) {
+/// Reads a document; `diagnostics` holds nothing of other files.
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) return fail(std::move(decoded.error()));
+  if (!decoded) {
+    diagnostics.add(decoded.error());
+    return fail(std::move(decoded.error()));
+  }
   std::string_view view = decoded->view();
-  // The end-of-file character of CP/M and DOS.
-  while (view.ends_with('\x1A')) view.remove_suffix(1);
+  // The end-of-file character of CP/M and DOS, and line ends behind it.
+  const std::size_t last = view.find_last_not_of("\r\n \t\x1A");
+  const std::size_t mark = view.find('\x1A', last == std::string_view::npos ? 0 : last);
+  if (mark != std::string_view::npos) view = view.substr(0, mark);
   const text::Source source(options.source_name, view);
   File file = parse(source, {options.lenient, options.fps.has_value()}, diagnostics);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
@@ -83,15 +89,15 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-/// Whether the position channels of some joint are added to an OFFSET, which a reader that
-/// replaces it would place elsewhere.
-bool has_added_positions(const Skeleton& skeleton) {
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0) return true;
-    }
-  }
-  return false;
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto document = read_alone(bytes, options, own);
+  // A warning may have become an error after the last look at them.
+  if (document && own.has_errors()) document = fail(own.first_error());
+  diagnostics.append(std::move(own));
+  return document;
 }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
@@ -99,7 +105,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   const Skeleton& skeleton = skeleton_of(document);
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
-  if (has_added_positions(skeleton)) {
+  if (adds_positions(skeleton)) {
     Diagnostic note;
     note.severity = Severity::Note;
     note.code = code::kPositionsAdded;

@@ -126,12 +126,10 @@ void parse_frame_time(Parser& parser, const char* keyword_at, Counts& counts) {
   counts.frame_time_at = keyword_at;
   const std::string_view token = take_count_token(parser);
   const text::Number number = text::parse_number(token);
-  if (number.fault == text::NumberFault::DecimalComma) {
+  const bool is_comma = number.fault == text::NumberFault::DecimalComma;
+  const bool is_time = std::isfinite(number.value) && number.value > 0;
+  if (is_time && (is_comma ? !parser.options.has_rate : number.fault == text::NumberFault::None)) {
     counts.frame_time = parse_value(parser, token, code::kBadFrameTime, {});
-    return;
-  }
-  if (number.fault == text::NumberFault::None && std::isfinite(number.value) && number.value > 0) {
-    counts.frame_time = number.value;
     return;
   }
   std::string message = fmt::format("expected seconds above 0 after Frame Time:, found {}",
@@ -201,10 +199,10 @@ void parse_motion(Parser& parser) {
       continue;
     }
     const std::string_view word = parser.scanner.peek();
-    const bool has_one = counts.frames_at != nullptr || counts.frame_time_at != nullptr;
-    const bool has_both = counts.frames_at != nullptr && counts.frame_time_at != nullptr;
+    const bool has_time = counts.frame_time_at != nullptr || parser.options.has_rate;
+    const bool has_both = counts.frames_at != nullptr && has_time;
     // Once both are there, what follows is a row, good or not.
-    if (has_both || (word.empty() ? has_one : can_start_row(word))) break;
+    if (has_both || (!word.empty() && can_start_row(word))) break;
     parser.report(
         Severity::Error, word.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord,
         fmt::format("expected Frames:, Frame Time: or a row of numbers, found {}", quoted(word)),

@@ -49,12 +49,6 @@ bool is_motion_word(std::string_view word) {
          equals_ignoring_case(word, "Frame");
 }
 
-bool is_structure_word(std::string_view word) {
-  return word.empty() || word == "{" || word == "}" || equals_ignoring_case(word, "ROOT") ||
-         equals_ignoring_case(word, "JOINT") || equals_ignoring_case(word, "OFFSET") ||
-         equals_ignoring_case(word, "CHANNELS") || is_end_site_word(word) || is_motion_word(word);
-}
-
 void report_structure(Hierarchy& h, std::string_view expected, std::string_view found) {
   if (found.empty() && std::exchange(h.is_cut_off, true)) return;
   const char* code = found.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord;
@@ -68,6 +62,7 @@ void report_structure(Hierarchy& h, std::string_view expected, std::string_view 
 std::string_view take_node_name(Hierarchy& h, std::string_view keyword) {
   std::string_view name = h.scanner().take_name();
   if (name.empty()) {
+    while (skip_comment(h.parser)) continue;
     const std::string_view next = h.scanner().peek();
     if (next.empty()) {
       report_structure(h, fmt::format("a name after {}", keyword), next);
@@ -85,6 +80,7 @@ std::string_view take_node_name(Hierarchy& h, std::string_view keyword) {
 }
 
 void take_open_brace(Hierarchy& h) {
+  while (skip_comment(h.parser)) continue;
   const std::string_view word = h.scanner().peek();
   if (word == "{") {
     h.scanner().take();
@@ -133,7 +129,7 @@ void parse_offset(Hierarchy& h, std::string_view keyword) {
     const auto value = parse_value(h.parser, token, code::kBadOffset, "3 numbers after OFFSET");
     if (!value) {
       h.is_cut_off |= token.empty();
-      if (!is_structure_word(token)) h.scanner().take_name();
+      if (!is_keyword(token)) h.scanner().take_name();
       return;
     }
     h.scanner().take();
@@ -147,8 +143,16 @@ void take_channel_words(Hierarchy& h, Node& node, std::size_t claim) {
     if (skip_comment(h.parser)) continue;
     const std::string_view word = h.scanner().peek();
     const Channel channel = channel_of_word(word);
+    if (node.channels.size() == kMaxChannels && !is_keyword(word)) {
+      h.parser.report(
+          Severity::Error, code::kBadChannelCount,
+          fmt::format("expected at most {} channels in a joint, found more", kMaxChannels),
+          word.data());
+      h.parser.is_structure_sound = false;
+      return;
+    }
     if (channel.kind == ChannelKind::Unknown) {
-      if (is_structure_word(word) || node.channels.size() >= claim) return;
+      if (is_keyword(word) || node.channels.size() >= claim) return;
       h.parser.repair(code::kUnknownChannel,
                       fmt::format("expected a channel such as Xposition, Yrotation or Zscale, "
                                   "found {}",
@@ -168,6 +172,7 @@ void parse_channels(Hierarchy& h, std::string_view keyword) {
                     block.is_end_site ? "expected no CHANNELS in an End Site, found some"
                                       : "expected one CHANNELS list, found another",
                     keyword.data());
+    h.parser.is_structure_sound = false;
   }
   block.has_channels = true;
   const std::string_view token = h.scanner().peek();
@@ -178,7 +183,11 @@ void parse_channels(Hierarchy& h, std::string_view keyword) {
                     fmt::format("expected a count from 0 to {} after CHANNELS, found {}",
                                 kMaxChannels, quoted(token)),
                     token.data());
-    if (!claim && channel_of_word(token).kind == ChannelKind::Unknown) return;
+    h.parser.is_structure_sound = false;
+    if (!claim && channel_of_word(token).kind == ChannelKind::Unknown) {
+      if (!is_keyword(token)) h.scanner().take_name();
+      return;
+    }
   }
   if (claim) h.scanner().take();
   const std::size_t num_before = node.channels.size();
@@ -276,8 +285,7 @@ bool parse_at_top(Hierarchy& h, std::string_view word) {
     h.scanner().move_to(word.data());
     return false;
   } else {
-    report_structure(h, "ROOT or MOTION", word);
-    return false;
+    skip_wrong_word(h, "ROOT or MOTION", word);
   }
   return true;
 }
@@ -331,7 +339,7 @@ bool take_motion_word(Hierarchy& h) {
         fmt::format("expected MOTION before {}; the file is read without it", quoted(word)),
         word.data());
   } else {
-    if (parser.is_structure_sound) {
+    if (parser.is_structure_sound && !h.is_cut_off) {
       parser.report(Severity::Warning, code::kNoMotion,
                     "expected MOTION, found the end of the file; the file holds a skeleton alone",
                     word.data());
@@ -343,12 +351,20 @@ bool take_motion_word(Hierarchy& h) {
 
 }  // namespace
 
+bool is_keyword(std::string_view word) {
+  return word.empty() || word == "{" || word == "}" || word.starts_with('#') ||
+         equals_ignoring_case(word, "ROOT") || equals_ignoring_case(word, "JOINT") ||
+         equals_ignoring_case(word, "OFFSET") || equals_ignoring_case(word, "CHANNELS") ||
+         is_end_site_word(word) || is_motion_word(word);
+}
+
 bool parse_hierarchy(Parser& parser) {
   if (!parse_first_word(parser)) return false;
   Hierarchy h{parser, {}, {}};
   while (h.num_structure_errors < kMaxStructureErrors && !h.is_cut_off) {
     if (skip_comment(parser)) continue;
-    if (h.open.size() > kMaxDepth) {
+    const bool is_in_end_site = !h.open.empty() && h.open.back().is_end_site;
+    if (h.open.size() - (is_in_end_site ? 1 : 0) > kMaxDepth) {
       parser.report(Severity::Error, code::kTooDeep,
                     fmt::format("expected joints nested at most {} deep, found more", kMaxDepth),
                     parser.scanner.position());

@@ -50,7 +50,7 @@ void check_claim(Rows& rows, const char* begin) {
   constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB of doubles
   const std::size_t most = most_rows(rows, begin);
   if (!rows.claim || *rows.claim <= most) return;
-  const std::size_t num_columns = std::max<std::size_t>(rows.num_columns, 1);
+  const std::size_t num_columns = rows.num_columns;
   if (*rows.claim / kFarTooMany < most && *rows.claim < kManyNumbers / num_columns) return;
   rows.parser.repair(code::kImpossibleCount,
                      fmt::format("expected {} frames of {} numbers, found {} bytes, which hold {} "
@@ -90,7 +90,8 @@ struct OddRow {
   std::size_t num_tokens = 0;
   const char* first_extra = nullptr;  ///< the first token beyond the columns
   const char* line_end = nullptr;
-  bool is_good = true;  ///< every token is a number
+  bool is_row = true;   ///< the first token is a number
+  bool is_good = true;  ///< every token is one
 };
 
 /// Reads the line at the scanner token by token into `rows.row`.
@@ -102,6 +103,7 @@ OddRow read_odd_row(Rows& rows) {
     if (token.empty()) break;
     const auto value = parse_odd_token(rows.parser, token);
     odd.is_good &= value.has_value();
+    if (odd.num_tokens == 0) odd.is_row = value.has_value();
     if (odd.num_tokens < rows.num_columns) rows.row[odd.num_tokens] = value.value_or(0);
     if (odd.num_tokens == rows.num_columns) odd.first_extra = token.data();
     ++odd.num_tokens;
@@ -127,7 +129,13 @@ bool is_stream(Rows& rows, const char* begin) {
   text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
   std::size_t count = 0;
   for (std::string_view token = scanner.take(); !token.empty(); token = scanner.take()) {
-    if (text::parse_number(token).fault != NumberFault::None) return false;
+    if (token.starts_with('#')) {
+      scanner.take_line();
+      continue;
+    }
+    const NumberFault fault = text::parse_number(token).fault;
+    const bool is_repaired = fault == NumberFault::DecimalComma && rows.parser.options.lenient;
+    if (fault != NumberFault::None && !is_repaired) return false;
     if (++count > num_missing) return false;
   }
   return count == num_missing;
@@ -150,6 +158,10 @@ void read_stream(Rows& rows, const char* begin) {
     p = part.next;
     if (part.end != RowEnd::BadToken) continue;
     rows.parser.scanner.move_to(p);
+    if (skip_comment(rows.parser)) {
+      p = rows.parser.scanner.position();
+      continue;
+    }
     const auto value = parse_odd_token(rows.parser, rows.parser.scanner.take_in_line());
     if (value) values.push_back(*value);
     p = rows.parser.scanner.position();
@@ -200,6 +212,12 @@ const char* read_odd_line(Rows& rows, const char* line) {
   text::Scanner& scanner = rows.parser.scanner;
   scanner.move_to(line);
   if (skip_comment(rows.parser)) return scanner.position();
+  if (text::equals_ignoring_case(scanner.peek_in_line(), "HIERARCHY")) {
+    rows.parser.report(Severity::Error, code::kUnexpectedWord,
+                       "expected a row of numbers, found 'HIERARCHY', the start of another file",
+                       scanner.position());
+    return rows.end();
+  }
   if (is_trailing_text(rows, line)) {
     rows.parser.report(Severity::Warning, code::kTextAfterFrames,
                        fmt::format("expected nothing after the last frame, found {}; the rest of "
@@ -214,8 +232,9 @@ const char* read_odd_line(Rows& rows, const char* line) {
     return rows.end();
   }
   const OddRow odd = read_odd_row(rows);
-  if (odd.is_good && odd.num_tokens == rows.num_columns) rows.keep_row();
-  if (odd.is_good && odd.num_tokens != rows.num_columns) report_row_length(rows, odd);
+  const bool has_length = odd.num_tokens == rows.num_columns;
+  if (odd.is_good && has_length) rows.keep_row();
+  if (odd.is_row && !has_length) report_row_length(rows, odd);
   ++rows.num_seen;
   return scanner.position();
 }
@@ -241,8 +260,11 @@ void read_empty_rows(Rows& rows, const char* begin) {
   text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
   scanner.take_line();  // what is left of the line of the last count
   std::size_t num_ends = 0;
-  for (const char* p = scanner.position(); p != rows.end() && text::is_line_end(*p); ++num_ends) {
-    p = text::read_number_row(p, rows.end(), nullptr, 0).next;
+  for (const char* p = scanner.position(); p != rows.end();) {
+    const NumberRow line = text::read_number_row(p, rows.end(), nullptr, 0);
+    if (line.end != RowEnd::EndOfLine) break;
+    num_ends += text::is_line_end(line.next[-1]) ? 1 : 0;
+    p = line.next;
   }
   const std::size_t num_lines = num_ends > 0 ? num_ends - 1 : 0;
   const std::string_view word = scanner.peek();
@@ -258,6 +280,7 @@ void read_empty_rows(Rows& rows, const char* begin) {
 /// Looks for words that are no numbers, where the rows' length is not known.
 void check_tokens(Parser& parser) {
   while (true) {
+    if (skip_comment(parser)) continue;
     const std::string_view token = parser.scanner.take();
     if (token.empty()) return;
     parse_odd_token(parser, token);
@@ -283,10 +306,10 @@ void parse_rows(Parser& parser, const char* begin, std::optional<std::size_t> cl
   for (const Node& node : parser.file.nodes) num_columns += node.channels.size();
   parser.file.num_columns = num_columns;
   Rows rows{parser, claim, claim_at, num_columns, std::vector<double>(num_columns)};
-  check_claim(rows, begin);
   if (num_columns == 0) {
     read_empty_rows(rows, begin);
   } else {
+    check_claim(rows, begin);
     reserve_rows(rows, begin);
     read_rows(rows, begin);
   }

@@ -56,6 +56,10 @@ Channel channel_of_word(std::string_view word);
 /// The usual spelling of a known channel; an unknown one as the file spells it.
 std::string spelling(const Channel& channel);
 
+/// Whether a word has a meaning of its own in a hierarchy and so ends a list of channels: a
+/// keyword, a brace, a comment, the end of the text.
+bool is_keyword(std::string_view word);
+
 /// Nodes may be nested this deep.
 inline constexpr std::size_t kMaxDepth = 1000;
 

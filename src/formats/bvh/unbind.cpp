@@ -16,14 +16,6 @@ Error not_expressible(const Joint& joint, std::string_view why) {
                     fmt::format("BVH cannot say that joint '{}' {}", joint.name, why));
 }
 
-/// The axis that a unit vector points along, 0 x, 1 y, 2 z, or nothing.
-std::optional<std::size_t> positive_axis(const Vec3& vector) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (vector == Vec3::Unit(static_cast<Eigen::Index>(k))) return k;
-  }
-  return std::nullopt;
-}
-
 ChannelKind channel_kind(DofKind kind) {
   switch (kind) {
     case DofKind::Rotation:
@@ -51,6 +43,12 @@ bool is_writable_name(std::string_view name) {
          !text::is_blank(name.front()) && !text::is_blank(name.back());
 }
 
+/// Whether a column that nothing reads is read back as such: its word is none that means something.
+bool is_writable_unread(std::string_view word) {
+  return channel_of_word(word).kind == ChannelKind::Unknown && !is_keyword(word) &&
+         is_writable_name(word) && word.find_first_of(" \t\v\f") == std::string_view::npos;
+}
+
 std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>& columns) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     columns[c].channel.word = skeleton.coordinates[c].channel;
@@ -60,12 +58,17 @@ std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>&
     if (!is_writable_name(joint.name)) {
       return not_expressible(joint, "has a name that is empty, spans lines or holds a brace");
     }
+    for (const Tip& tip : joint.tips) {
+      if (!tip.name.empty() && !is_writable_name(tip.name)) {
+        return not_expressible(joint, "has a tip whose name spans lines or holds a brace");
+      }
+    }
     if (!joint.rest_rotation.isApprox(Quat::Identity(), 0)) {
       return not_expressible(joint, "is turned in its rest pose");
     }
     for (const DegreeOfFreedom& dof : joint.dofs) {
       const ChannelKind kind = channel_kind(dof.kind);
-      const auto axis = positive_axis(dof.axis);
+      const auto axis = coordinate_axis(dof.axis);
       Column& column = columns[dof.coordinate];
       if (kind == ChannelKind::Unknown) {
         return not_expressible(joint, "moves freely or along its bone");
@@ -76,6 +79,12 @@ std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>&
       }
       column = {{kind, *axis, {}}, true};
     }
+  }
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::string& word = skeleton.coordinates[c].channel;
+    if (columns[c].is_read || is_writable_unread(word)) continue;
+    return not_expressible(skeleton.joints[skeleton.coordinates[c].joint],
+                           fmt::format("has a column '{}' that moves nothing", word));
   }
   return std::nullopt;
 }
@@ -102,7 +111,7 @@ std::array<double, 3> offset_of(const Joint& joint) {
   std::array<double, 3> offset = {joint.offset[0], joint.offset[1], joint.offset[2]};
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind != DofKind::Translation) continue;
-    double& component = offset[*positive_axis(dof.axis)];
+    double& component = offset[*coordinate_axis(dof.axis)];
     if (component == 0) component = dof.rest;
   }
   return offset;

@@ -25,7 +25,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   }
   printer.print('\n');
   for (std::size_t f = 0; f < motion->clip.num_frames; ++f) {
-    printer.print(time_of_frame(motion->clip.timeline, f));
+    printer.print_exact(time_of_frame(motion->clip.timeline, f));
     for (const double value : motion->clip.row(f)) {
       printer.print(',');
       printer.print(value);

@@ -25,8 +25,8 @@ bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink&
   std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   for (tables::PoseRow& row : rows) row.label = text::csv_field(row.label);
   text::Printer printer(sink);
-  for (std::size_t f = 0; f < poses.num_frames; f += table.frame_step) {
-    const std::size_t frame = poses.first_frame + f;
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    const std::size_t frame = poses.first_frame + f * poses.frame_step;
     const std::string frame_and_time =
         fmt::format("{},{},", frame, time_of_frame(*table.timeline, frame));
     for (const tables::PoseRow& row : rows) {

@@ -81,7 +81,7 @@ void print_skeleton(text::Printer& printer, const Skeleton& skeleton) {
 
 void print_clip(text::Printer& printer, const Motion& motion) {
   printer.print(",\n\"frame_time\":");
-  print_number(printer, frame_time(motion.clip.timeline));
+  printer.print_exact(frame_time(motion.clip.timeline));
   printer.print(",\n\"columns\":");
   const std::vector<std::string> names = column_names(motion.skeleton);
   print_elements(printer, names.size(), ",",

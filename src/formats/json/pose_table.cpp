@@ -15,15 +15,14 @@ std::array<double, 3> scaled(const double* point, double scale) {
 
 bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink& sink) {
   const std::vector<tables::PoseRow> rows = tables::pose_rows(table);
-  const std::size_t step = table.frame_step;
-  const std::size_t num_frames = (poses.num_frames + step - 1) / step;
+  const std::size_t num_frames = poses.num_frames;
   text::Printer printer(sink);
-  const auto frame_of = [&](std::size_t i) { return poses.first_frame + i * step; };
+  const auto frame_of = [&](std::size_t i) { return poses.first_frame + i * poses.frame_step; };
   // One array of arrays, [frame][row], whose innermost part is made by `print_part`.
   const auto print_table = [&](const auto& print_part) {
     json::print_elements(printer, num_frames, ",\n  ", [&](std::size_t i) {
       json::print_elements(printer, rows.size(), ",",
-                           [&](std::size_t r) { print_part(i * step, rows[r]); });
+                           [&](std::size_t r) { print_part(i, rows[r]); });
     });
   };
 

@@ -140,6 +140,7 @@ TEST(BvhRead, AMotionWithoutColumnsHasAnEmptyLineAFrame) {
   const std::string head =
       "HIERARCHY\nROOT r\n{\nOFFSET 0 1 0\nCHANNELS 0\n}\nMOTION\nFrames: 3\nFrame Time: 0.1\n";
   EXPECT_EQ(motion_of(head + "\n\n\n").clip.num_frames, 3u);
+  EXPECT_EQ(motion_of(head + " \n\t\n\n").clip.num_frames, 3u) << "bvhio ends rows with a blank";
   EXPECT_EQ(codes(head), std::vector<std::string>{"BVH031"});
   EXPECT_EQ(codes(head + "1 2 3\n"), std::vector<std::string>{"BVH028"});
 }
@@ -278,6 +279,50 @@ TEST(BvhRead, NestingHasALimit) {
   EXPECT_EQ(motion_of(chain(1000)).skeleton.joints.size(), 1000u);
   EXPECT_EQ(codes(chain(1001)), std::vector<std::string>{"BVH012"});
   EXPECT_EQ(codes(chain(100'000)), std::vector<std::string>{"BVH012"});
+}
+
+TEST(BvhLenient, CommasAreHeldToTheSameRules) {
+  for (const char* time : {"0,0", "-0,5"}) {
+    ReadText read;
+    expect_repaired(read, replaced(kGood, "Frame Time: 0.04", std::string("Frame Time: ") + time),
+                    "BVH022");
+    EXPECT_EQ(frame_rate(read.motion().clip.timeline), 30);
+  }
+  EXPECT_EQ(codes(replaced(kGood, "Frame Time: 0.04", "Frame Time: 1,#INF"), lenient()),
+            std::vector<std::string>{"BVH022"});
+  EXPECT_FALSE(read_bvh(replaced(kGood, "OFFSET 1 2 3", "OFFSET 1,#INF 2 3"), lenient()).document);
+}
+
+TEST(BvhRead, DiagnosticsOfOneFileAreNotHeldAgainstTheNext) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(find_format("bvh")->read("what", {}, diagnostics));
+  EXPECT_TRUE(find_format("bvh")->read(kGood, {}, diagnostics));
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BVH001"});
+}
+
+TEST(BvhRead, AJointHasOnlySoManyChannels) {
+  std::string text = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 3";
+  for (int i = 0; i < 1001; ++i) text += " Xrotation";
+  EXPECT_EQ(codes(text + "\n}\nMOTION\nFrames: 0\nFrame Time: 1\n"),
+            (std::vector<std::string>{"BVH008", "BVH009", "BVH003"}));
+}
+
+TEST(BvhRead, OneFaultOfTheChannelsIsNotRepeatedForEveryRow) {
+  const std::string twice = "    CHANNELS 1 Zrotation\n    OFFSET 1 2 3\n";
+  EXPECT_EQ(codes(replaced(kGood, "    OFFSET 1 2 3\n", twice)),
+            std::vector<std::string>{"BVH007"});
+}
+
+// A line may be as long as the file: what is said of a million words must not look at all of it
+// for each. Quadratic, this would take minutes.
+TEST(BvhRead, AMillionFaultsInOneLineAreNoTrouble) {
+  std::string words;
+  for (int i = 0; i < 1'000'000; ++i) words += "x ";
+  const ReadText read = read_bvh(bvh_with_rows({words}));
+  EXPECT_EQ(read.diagnostics.count_of("BVH025", Severity::Error), 1'000'000u);
+  std::string nans = "\xFF\xFE";
+  for (int i = 0; i < 500'000; ++i) nans += std::string("\x00\xD8", 2);
+  EXPECT_GT(read_bvh(nans).diagnostics.count_of("TXT001", Severity::Warning), 499'000u);
 }
 
 TEST(BvhRead, InputIsNotModified) {

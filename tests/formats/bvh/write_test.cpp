@@ -132,7 +132,7 @@ TEST(BvhWrite, RefusesWhatItHasNoWordsFor) {
   Skeleton skeleton;
   Joint joint;
   joint.name = "base";
-  skeleton.coordinates.resize(7);
+  skeleton.coordinates.resize(7, {0, "q"});
   joint.dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
   skeleton.joints = {joint};
   EXPECT_EQ(refusal_of(skeleton).kind, ErrorKind::DataLoss);
@@ -153,6 +153,15 @@ TEST(BvhWrite, RefusesWhatItHasNoWordsFor) {
   skeleton.joints[0].rest_rotation = Quat(0, 1, 0, 0);
   EXPECT_EQ(refusal_of(skeleton).message,
             "BVH cannot say that joint 'base' is turned in its rest pose");
+  skeleton.joints[0].rest_rotation = Quat::Identity();
+  skeleton.coordinates[3].channel = "Zrotation";
+  EXPECT_EQ(refusal_of(skeleton).message,
+            "BVH cannot say that joint 'base' has a column 'Zrotation' that moves nothing");
+  skeleton.coordinates[3].channel = "JOINT";
+  EXPECT_EQ(refusal_of(skeleton).code, "BVH036");
+  skeleton.joints[0].tips = {{"a}b", {0, 0, 0}}};
+  EXPECT_EQ(refusal_of(skeleton).message,
+            "BVH cannot say that joint 'base' has a tip whose name spans lines or holds a brace");
   skeleton.joints[0].name = "a\nb";
   EXPECT_EQ(refusal_of(skeleton).code, "BVH036");
 }

@@ -33,7 +33,7 @@ void Scanner::skip_space() {
 }
 
 std::string_view Scanner::word_here() const {
-  if (next_ == end_ || is_line_end(*next_)) return {next_, 0};
+  if (next_ == end_ || is_line_end(*next_)) return view_of(next_, next_);
   if (is_brace(*next_)) return {next_, 1};
   const char* word_end = std::find_if(
       next_, end_, [](char c) { return is_blank(c) || is_line_end(c) || is_brace(c); });

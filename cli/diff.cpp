@@ -46,6 +46,7 @@ void print_text(const Diff& diff, const MotionComparison& comparison) {
   print_largest("largest rotation", comparison.rotation, " degrees");
   print_names("only in the first", comparison.only_in_first);
   print_names("only in the second", comparison.only_in_second);
+  print_names("tips not compared", comparison.other_tips);
   if (comparison.num_frames_first != comparison.num_frames_second) {
     print_data(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
                            comparison.num_frames_second));
@@ -69,6 +70,7 @@ Json json_of(const Diff& diff, const MotionComparison& comparison) {
           {"rotation_degrees", json_of(comparison.rotation)},
           {"only_in_first", comparison.only_in_first},
           {"only_in_second", comparison.only_in_second},
+          {"tips_not_compared", comparison.other_tips},
           {"num_frames", {comparison.num_frames_first, comparison.num_frames_second}}};
 }
 

@@ -24,6 +24,8 @@ struct MotionComparison {
   LargestDifference rotation;              ///< between joints, in degrees
   std::vector<std::string> only_in_first;  ///< joints that the other does not have
   std::vector<std::string> only_in_second;
+  std::vector<std::string> other_tips;  ///< joints whose tips differ in number, so that theirs were
+                                        ///< not compared
   std::size_t num_frames_first = 0;
   std::size_t num_frames_second = 0;
 };

@@ -37,6 +37,9 @@ std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& secon
       continue;
     }
     pairs.push_back({j, waiting.back()});
+    if (first.joints[j].tips.size() != second.joints[waiting.back()].tips.size()) {
+      comparison.other_tips.push_back(first.joints[j].name);
+    }
     is_matched[waiting.back()] = true;
     waiting.pop_back();
   }

@@ -149,6 +149,7 @@ void take_channel_words(Hierarchy& h, Node& node, std::size_t claim) {
           fmt::format("expected at most {} channels in a joint, found more", kMaxChannels),
           word.data());
       h.parser.is_structure_sound = false;
+      h.scanner().take_name();
       return;
     }
     if (channel.kind == ChannelKind::Unknown) {
@@ -193,7 +194,8 @@ void parse_channels(Hierarchy& h, std::string_view keyword) {
   const std::size_t num_before = node.channels.size();
   take_channel_words(h, node, claim.value_or(0));
   const std::size_t num_words = node.channels.size() - num_before;
-  if (claim && *claim <= kMaxChannels && *claim != num_words) {
+  const bool is_counted = node.channels.size() < kMaxChannels;
+  if (claim && *claim <= kMaxChannels && *claim != num_words && is_counted) {
     h.parser.report(Severity::Warning, code::kChannelCountDiffers,
                     fmt::format("CHANNELS says {}, but {} {}; as many columns are read", *claim,
                                 num_words, num_words == 1 ? "name follows" : "names follow"),

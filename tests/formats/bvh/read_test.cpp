@@ -304,7 +304,7 @@ TEST(BvhRead, AJointHasOnlySoManyChannels) {
   std::string text = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 3";
   for (int i = 0; i < 1001; ++i) text += " Xrotation";
   EXPECT_EQ(codes(text + "\n}\nMOTION\nFrames: 0\nFrame Time: 1\n"),
-            (std::vector<std::string>{"BVH008", "BVH009", "BVH003"}));
+            std::vector<std::string>{"BVH008"});
 }
 
 TEST(BvhRead, OneFaultOfTheChannelsIsNotRepeatedForEveryRow) {

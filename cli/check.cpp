@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "json_output.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Check {
   std::vector<std::string> files;
@@ -55,7 +53,7 @@ int run(const Check& check, const Globals& globals) {
       print_summary(path, diagnostics, globals);
     }
   }
-  if (check.is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (check.is_json) print_json(all);
   return exit_code;
 }
 

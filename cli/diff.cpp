@@ -3,15 +3,13 @@
 
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "json_output.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Diff {
   std::string first;
@@ -33,7 +31,7 @@ void print_largest(std::string_view what, const LargestDifference& largest, std:
   if (largest.value > 0) {
     print_data(fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
   }
-  print_data(fmt::format("\n"));
+  print_data("\n");
 }
 
 void print_names(std::string_view what, const std::vector<std::string>& names) {
@@ -51,8 +49,8 @@ void print_text(const Diff& diff, const MotionComparison& comparison) {
     print_data(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
                            comparison.num_frames_second));
   }
-  print_data(fmt::format("{}\n", is_different(comparison, diff.tolerance) ? "the motions differ"
-                                                                          : "the motions agree"));
+  print_data(is_different(comparison, diff.tolerance) ? "the motions differ\n"
+                                                      : "the motions agree\n");
 }
 
 Json json_of(const LargestDifference& largest) {
@@ -91,8 +89,7 @@ int run(const Diff& diff, const Globals& globals) {
   const MotionComparison comparison =
       compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
   if (diff.is_json) {
-    print_data(json_of(diff, comparison).dump(2, ' ', false, Json::error_handler_t::replace) +
-               "\n");
+    print_json(json_of(diff, comparison));
   } else {
     print_text(diff, comparison);
   }

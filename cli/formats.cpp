@@ -2,15 +2,12 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "report.hpp"
+#include "json_output.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 int run(bool is_json) {
   Json all = Json::array();
@@ -35,7 +32,7 @@ int run(bool is_json) {
                            fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"),
                            extensions, format.description));
   }
-  if (is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (is_json) print_json(all);
   return kDone;
 }
 

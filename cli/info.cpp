@@ -4,15 +4,13 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "json_output.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Info {
   std::vector<std::string> files;
@@ -188,7 +186,7 @@ int run(const Info& info, const Globals& globals) {
       print_data(text_of(name, *document));
     }
   }
-  if (info.is_json) print_data(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (info.is_json) print_json(all);
   return exit_code;
 }
 

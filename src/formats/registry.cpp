@@ -6,6 +6,7 @@
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
 #include "kinefile/format.hpp"
+#include "text/scanner.hpp"
 
 namespace kinefile {
 
@@ -26,9 +27,7 @@ const Format* find_format(std::string_view name) {
 }
 
 const Format* format_of_name(std::string_view file_name) {
-  std::string lower(file_name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string lower = text::lowered(file_name);
   for (const Format& format : formats()) {
     for (const std::string_view extension : format.extensions) {
       if (lower.ends_with(extension)) return &format;

@@ -140,10 +140,6 @@ void place(Side& side, std::size_t first_frame, std::size_t num_frames) {
 }  // namespace
 
 MotionComparison compare_motions(const Motion& first, const Motion& second) {
-  MotionComparison comparison;
-  comparison.num_frames_first = first.clip.num_frames;
-  comparison.num_frames_second = second.clip.num_frames;
-  const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
   if (first.clip.num_frames == 0 && second.clip.num_frames == 0) {
     Motion first_rest{first.skeleton, rest_clip(first.skeleton)};
     Motion second_rest{second.skeleton, rest_clip(second.skeleton)};
@@ -151,6 +147,10 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
     at_rest.num_frames_first = at_rest.num_frames_second = 0;
     return at_rest;
   }
+  MotionComparison comparison;
+  comparison.num_frames_first = first.clip.num_frames;
+  comparison.num_frames_second = second.clip.num_frames;
+  const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
   if (first.clip.num_frames == 0 || second.clip.num_frames == 0) return comparison;
 
   Side a{first, first_tips_of_joints(first.skeleton), {}};

@@ -15,17 +15,14 @@ simd::Matrix matrix_of(const Mat3& m) {
   return {vector_of(m.col(0)), vector_of(m.col(1)), vector_of(m.col(2))};
 }
 
-/// 0, 1 or 2 for an axis along x, y or z, up to its sign; 3 for any other.
-std::size_t coordinate_axis(const Vec3& axis) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 unit = Vec3::Unit(static_cast<Eigen::Index>(k));
-    if (axis == unit || axis == -unit) return k;
-  }
-  return 3;
+/// The kernel's word for an axis: 0, 1 or 2 along x, y or z, up to its sign; 3 for any other.
+std::size_t kernel_axis(const Vec3& axis) {
+  const auto along = coordinate_axis(axis);
+  return along ? *along : coordinate_axis(-axis).value_or(3);
 }
 
 simd::Turn plan_turn(const DegreeOfFreedom& dof) {
-  return {dof.coordinate, coordinate_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
+  return {dof.coordinate, kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
           vector_of(dof.axis)};
 }
 
@@ -48,7 +45,7 @@ void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::Plann
     case DofKind::TailTranslation:
     case DofKind::TailScale:
       planned.tail_moves.push_back({dof.coordinate, dof.kind == DofKind::TailScale,
-                                    coordinate_axis(dof.axis), vector_of(dof.axis)});
+                                    kernel_axis(dof.axis), vector_of(dof.axis)});
       break;
   }
 }

@@ -199,15 +199,11 @@ Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
   }
 
   const Source source(source_name, text.view());
+  const std::string message =
+      fmt::format("expected a character of {}, found other bytes; read as U+FFFD", text.encoding);
   for (const std::size_t offset : bad) {
-    if (diagnostics.is_full("TXT001", Severity::Warning)) {
-      diagnostics.add({Severity::Warning, "TXT001", {}, {}, {}, 0});
-      continue;
-    }
-    diagnostics.add(source.diagnose(
-        Severity::Warning, "TXT001",
-        fmt::format("expected a character of {}, found other bytes; read as U+FFFD", text.encoding),
-        source.text().data() + offset));
+    report(source, diagnostics, Severity::Warning, "TXT001", message,
+           source.text().data() + offset);
   }
   if (is_guess && text.encoding == "latin-1") {
     diagnostics.add(source.diagnose(

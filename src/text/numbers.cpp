@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "text/scanner.hpp"
+
 namespace kinefile::text {
 namespace {
 
@@ -68,20 +70,13 @@ inline const char* parse_plain(const char* begin, const char* end, double& value
   return next == end || is_token_end(*next) ? next : nullptr;
 }
 
-std::string lower(std::string_view token) {
-  std::string copy(token);
-  std::transform(copy.begin(), copy.end(), copy.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return copy;
-}
-
 /// The spellings of what is not finite, without their sign.
 std::optional<double> parse_special(std::string_view token) {
   static constexpr std::array<std::string_view, 6> kNans = {"nan",     "1.#ind",   "1.#qnan",
                                                             "1.#snan", "nan(ind)", "nan(snan)"};
   static constexpr std::array<std::string_view, 3> kInfinities = {"inf", "infinity", "1.#inf"};
   if (token.size() > 12) return std::nullopt;
-  std::string word = lower(token);
+  std::string word = lowered(token);
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) word.erase(0, 1);
   // Microsoft's printf pads these with zeros: "-1.#IND00".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace kinefile::text {
@@ -36,6 +37,9 @@ class Scanner {
   const char* next_;
   const char* end_;
 };
+
+/// A text with its ASCII letters in lower case.
+std::string lowered(std::string_view text);
 
 /// Whether two words are equal but for the case of ASCII letters.
 bool equals_ignoring_case(std::string_view a, std::string_view b);

@@ -67,6 +67,15 @@ Diagnostic Source::diagnose(Severity severity, std::string code, std::string mes
   return diagnostic;
 }
 
+void report(const Source& source, Diagnostics& diagnostics, Severity severity, std::string code,
+            std::string message, const char* position) {
+  if (diagnostics.is_full(code, severity)) {
+    diagnostics.add({severity, std::move(code), {}, {}, {}, 0});
+  } else {
+    diagnostics.add(source.diagnose(severity, std::move(code), std::move(message), position));
+  }
+}
+
 std::string quoted(std::string_view token) {
   if (token.empty()) return "the end of the file";
   constexpr std::size_t kLongest = 40;

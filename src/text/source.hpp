@@ -37,6 +37,10 @@ class Source {
   mutable std::vector<std::size_t> line_starts_;  ///< made when first needed
 };
 
+/// Adds a diagnostic about a place; where there are too many of its kind, only counts it.
+void report(const Source& source, Diagnostics& diagnostics, Severity severity, std::string code,
+            std::string message, const char* position);
+
 /// A token as a message may show it: quoted, control characters escaped, long ones cut; an empty
 /// one is "the end of the file".
 std::string quoted(std::string_view token);

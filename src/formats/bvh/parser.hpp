@@ -30,9 +30,7 @@ struct Parser {
   bool is_structure_sound = true;  ///< the number of columns can be relied on
 
   void report(Severity severity, const char* code, std::string message, const char* at) {
-    if (diagnostics.is_full(code, severity))
-      return diagnostics.add({severity, code, {}, {}, {}, 0});
-    diagnostics.add(source.diagnose(severity, code, std::move(message), at));
+    text::report(source, diagnostics, severity, code, std::move(message), at);
   }
   /// Reports a fault that `--lenient` repairs: an error, or a warning that tells the repair.
   /// Returns whether it is repaired.

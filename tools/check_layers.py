@@ -19,10 +19,15 @@ LAYERS = {
     "format": ["base", "text", "math", "model"],
     "registry": ["base", "text", "math", "model", "format"],
     "kinematics": ["base", "simd", "math", "model"],
-    "edit": ["base", "simd", "math", "model", "kinematics"],
+    "retime": ["base", "simd", "math", "model", "kinematics"],
+    "edit": ["base", "simd", "math", "model", "kinematics", "retime"],
+    "bridge": ["base", "simd", "math", "model", "kinematics", "edit"],
     "io": ["base", "text", "model", "registry"],
-    "all": ["base", "math", "model", "format", "registry", "kinematics", "edit", "io"],
-    "cli": ["base", "math", "model", "format", "registry", "kinematics", "edit", "io", "all"],
+    "convert": ["base", "math", "model", "registry", "kinematics", "edit", "bridge", "io"],
+    "all": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit",
+            "bridge", "convert", "io"],
+    "cli": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit",
+            "bridge", "convert", "io", "all"],
 }
 
 # The layer that declares what a public header has.
@@ -30,7 +35,9 @@ PUBLIC = {
     "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "document": "model", "format": "model", "pose_table": "model",
-    "kinematics": "kinematics", "compare": "kinematics", "edit": "edit", "io": "io",
+    "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
+    "retime": "retime", "edit": "edit", "channels": "edit", "anomalies": "kinematics",
+    "bridge": "bridge", "convert": "convert", "io": "io",
     "kinefile": "all",
 }
 

@@ -1,46 +1,85 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
-#include <string_view>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "kinefile/document.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
 namespace kinefile {
 
-/// The axes of three rotations, outermost first: 0 x, 1 y, 2 z. "ZXY" is {2, 0, 1}.
-using RotationOrder = std::array<std::size_t, 3>;
+/// The frames from `begin` to `end`, `end` not included, bit for bit. The file's own number of the
+/// first frame moves along.
+/// \errors EDT003 (Usage) if they are not frames of the motion
+Result<Motion> trimmed(const Motion& motion, std::size_t begin, std::size_t end);
 
-/// Reads an order of rotations, in any case: three of x, y and z of which no neighbours are equal.
-std::optional<RotationOrder> parse_rotation_order(std::string_view text);
+/// The frames from the last to the first, bit for bit.
+Motion reversed(const Motion& motion);
 
-/// Which joints have channels of their own for position.
-enum class PositionChannels {
-  AsIs,  ///< those that have them
-  Root,  ///< roots alone; every joint turns about three axes
-  All,   ///< every joint; every joint turns about three axes
-};
+/// The motion in a mirror: what the left side did, the right side does. The skeleton stays; joints
+/// are paired by name (Left/Right, l/r, L/R as words or as the first or last letter, 左/右) where
+/// the rest pose agrees, those in the plane with themselves. Angles whose axes are each other's
+/// mirror images are copied, with a change of sign where there must be one; others found anew.
+/// \param axis  0 x, 1 y, 2 z: the normal of the mirror, which goes through the origin
+/// \errors EDT004 (Usage) if a joint that is not in the plane has no other half, or the two halves
+///         move in other ways, and not `lenient`; then they mirror as they can, with a warning
+Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
+                        Diagnostics& diagnostics);
 
-struct ChannelOptions {
-  std::optional<RotationOrder> order =
-      std::nullopt;  ///< absent: each joint's own, or ZXY where it has none
-  PositionChannels positions = PositionChannels::AsIs;
-  bool adds_positions = false;  ///< new position channels are added to offsets, not in their place;
-                                ///< as the motion's own are, if it has any that tell
-  bool lenient = false;         ///< drop positions that change, with a warning
-};
+/// All lengths times a factor: offsets, tips, positions. The factor is above 0.
+Motion scaled(const Motion& motion, double factor);
 
-/// Gives a motion other channels for the same movement: the world stays as it is.
-/// Joints whose rotations have the order already keep every bit; the others' angles are found
-/// anew, each nearest to the frame before, so that curves stay continuous. With `AsIs`, a joint
-/// with one rotation, or with some in the order's sequence, keeps them.
-/// A joint that loses its position channels gets them into its offset where they do not change.
-/// \errors EDT001 (DataLoss) if they do change, and not `lenient`;
-///         EDT002 (Usage) for a joint that moves freely or about other axes than x, y and z
-Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
-                             Diagnostics& diagnostics);
+/// The axis that points up: 1 for y, 2 for z, told from where the joints lie over the feet or
+/// around the root in the motion, and in the rest pose without frames. In doubt y.
+std::size_t guess_up_axis(const Motion& motion);
+
+/// The same motion in coordinates in which another axis points up: turned about x by a quarter.
+/// The skeleton's offsets and axes turn along, so that angles stay as they are, up to their sign.
+/// With a note and no change if that axis points up already (see `guess_up_axis`).
+/// \param axis  1 for y, 2 for z
+Motion with_up_axis(const Motion& motion, std::size_t axis, Diagnostics& diagnostics);
+
+/// The motion on the spot: every root stays over the place on the ground where it starts.
+Motion in_place(const Motion& motion);
+
+/// The motion `count` times. Without blending every bit is kept, and the figure jumps back to its
+/// start; with blending see `appended`.
+/// \errors EDT005 (Usage) as `appended`; or `count` is 0, or the result would be too large
+Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
+
+/// One motion and then another. Without blending every bit is kept. With blending the second is
+/// moved and turned on the ground so that its root goes on where the first one's is, and the last
+/// frames of the first are faded into the first frames of the second, which overlap.
+/// \errors EDT005 (Usage) if the skeletons or frame rates differ, or one has fewer frames than are
+///         to be blended
+Result<Motion> appended(const Motion& first, const Motion& second, std::size_t num_blend_frames);
+
+/// The motion of some joints and of all joints above them, which keep their places in the world.
+/// A joint that loses all children and has no tip gets tips where they were.
+/// \errors EDT006 (Usage) if a name is no joint's
+Result<Motion> with_joints(const Motion& motion, std::span<const std::string> names,
+                           Diagnostics& diagnostics);
+
+/// Gives a joint another name, in the skeleton and in what its format keeps of it.
+/// \errors EDT006 (Usage) if the old name is no joint's, or the new one is another's or empty
+Result<void> rename_joint(Document& document, const std::string& old_name,
+                          const std::string& new_name);
+
+/// The motion without what changes faster than a cut-off frequency: a Butterworth filter of second
+/// order, run forwards and backwards, so that nothing is delayed. Three rotations of a joint are
+/// filtered as quaternions that are continuous in time, other values as numbers.
+/// \param cutoff_hz  above 0 and below half the frame rate
+/// \errors EDT007 (Usage) for another cut-off, EDT008 (InvalidInput) for values that are not finite
+/// Source: Butterworth, Wireless Engineer 7 (1930); Winter, "Biomechanics and Motor Control of
+/// Human Movement" (forwards and backwards).
+Result<Motion> smoothed(const Motion& motion, double cutoff_hz);
+
+/// The same motion with angles that do not jump: whole turns, and for three rotations of a joint
+/// the other triple for the same rotation, where that is nearer to the frame before.
+Motion unwrapped(const Motion& motion);
 
 }  // namespace kinefile

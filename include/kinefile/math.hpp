@@ -38,4 +38,31 @@ Vec3 euler_angles(const Mat3& rotation, const EulerAxes& axes, const Vec3& near 
 /// The angle between two rotations, in radians, 0 to pi.
 double angle_between(const Quat& a, const Quat& b);
 
+/// The same rotation as `q`, with the sign that is nearer to `near`.
+Quat on_side_of(const Quat& q, const Quat& near);
+
+/// Interpolates along the great circle from `a` to the nearer of `b` and -b, at a constant rate.
+/// Nearly equal ones are interpolated along the chord; where they are opposite, half a turn apart,
+/// no way is the shortest and the one through -b's side of `a` is taken.
+/// \param t  0 gives a, 1 gives b or -b
+/// Source: Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.
+Quat slerp(const Quat& a, const Quat& b, double t);
+
+/// Interpolates along the chord from `a` to the nearer of `b` and -b, and normalises.
+Quat nlerp(const Quat& a, const Quat& b, double t);
+
+/// The logarithm of a unit quaternion: half its rotation vector.
+Vec3 log_of(const Quat& q);
+
+/// The unit quaternion whose logarithm this is.
+Quat exp_of(const Vec3& v);
+
+/// The inner control point at `at` of a smooth curve through three rotations.
+/// Source: Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes, 1987.
+Quat squad_control(const Quat& before, const Quat& at, const Quat& after);
+
+/// Interpolates smoothly from `a` to `b`, all four on one side (see `on_side_of`).
+/// \param control_a, control_b  of `squad_control`
+Quat squad(const Quat& a, const Quat& control_a, const Quat& control_b, const Quat& b, double t);
+
 }  // namespace kinefile

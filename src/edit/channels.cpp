@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "kinefile/channels.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "kinefile/edit.hpp"
+#include "kinefile/joint_rotation.hpp"
 
 namespace kinefile {
 namespace {
 
 /// The axis of x, y, z that a degree of freedom is about or along.
 std::optional<std::size_t> axis_of(const DegreeOfFreedom& dof) { return coordinate_axis(dof.axis); }
-
-std::vector<DegreeOfFreedom> rotations_of(const Joint& joint) {
-  std::vector<DegreeOfFreedom> rotations;
-  std::copy_if(joint.dofs.begin(), joint.dofs.end(), std::back_inserter(rotations),
-               [](const DegreeOfFreedom& dof) { return dof.kind == DofKind::Rotation; });
-  return rotations;
-}
 
 /// Whether the rotations are about axes in the sequence of an order: all of it, or a part.
 bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOrder& order) {
@@ -211,19 +206,6 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   return change;
 }
 
-/// The rotation that a joint's old angles make in one frame.
-Mat3 rotation_in(const std::vector<DegreeOfFreedom>& rotations, std::span<const double> row,
-                 AngleUnit unit) {
-  Mat3 product = Mat3::Identity();
-  for (const DegreeOfFreedom& dof : rotations) {
-    double angle = row[dof.coordinate];
-    // Whole turns are taken off first, which is exact in degrees.
-    if (unit == AngleUnit::Degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
-    product = product * Eigen::AngleAxisd(angle, dof.axis);
-  }
-  return product;
-}
-
 void fill_columns(const Motion& source, const JointChange& change, std::size_t first_column,
                   Clip& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
@@ -234,7 +216,7 @@ void fill_columns(const Motion& source, const JointChange& change, std::size_t f
     const auto row = source.clip.row(f);
     if (change.has_new_angles) {
       if (angles.allFinite()) near = angles;
-      angles = euler_angles(rotation_in(change.old_rotations, row, unit), change.axes, near);
+      angles = euler_angles(rotation_in_row(change.old_rotations, row, unit), change.axes, near);
     }
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const NewColumn& column = change.columns[c];

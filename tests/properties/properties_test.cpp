@@ -8,8 +8,8 @@
 #include <cstring>
 #include <random>
 
+#include "kinefile/channels.hpp"
 #include "kinefile/compare.hpp"
-#include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 

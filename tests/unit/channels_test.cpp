@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "kinefile/channels.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kinefile/compare.hpp"
-#include "kinefile/edit.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+
+namespace kinefile {
+
+/// A joint that turns suddenly.
+struct SuddenTurn {
+  std::size_t joint = 0;
+  std::size_t frame = 0;         ///< the first frame after the turn
+  std::size_t return_frame = 0;  ///< the first frame in which it is back; 0 if it stays (a flip)
+  double degrees = 0;            ///< how far it turns
+};
+
+/// Finds joints that turn by more than 90 degrees from one frame to the next, in their parents'
+/// frames: spikes, which are back within some frames, and flips, which stay. In the order of
+/// joints, then frames. Such turns come from markers that were mixed up.
+std::vector<SuddenTurn> find_sudden_turns(const Motion& motion);
+
+}  // namespace kinefile

@@ -34,6 +34,7 @@ struct Reading {
   std::string positions = "replace";
   std::string encoding;
   std::string unit_in;
+  std::string skeleton;
   std::optional<double> fps;
   bool is_lenient = false;
   bool is_strict = false;

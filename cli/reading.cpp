@@ -36,13 +36,6 @@ std::string check_unit(const std::string& text) {
   return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
 }
 
-/// Gives a document the unit of length that its file does not say.
-void say_unit(Document& document, double metres) {
-  Motion* motion = std::get_if<Motion>(&document.content);
-  Skeleton& skeleton = motion != nullptr ? motion->skeleton : std::get<Skeleton>(document.content);
-  if (skeleton.metres_per_unit == 0) skeleton.metres_per_unit = metres;
-}
-
 std::vector<std::string> readable_formats() {
   std::vector<std::string> names;
   for (const Format& format : formats()) {
@@ -57,6 +50,10 @@ void add_reading_options(CLI::App& command, Reading& reading) {
   command.add_option("--from", reading.from, "Format of the input; else its content and name tell")
       ->check(CLI::IsMember(readable_formats()))
       ->type_name("FORMAT");
+  command
+      .add_option("--skeleton", reading.skeleton,
+                  "The skeleton of a motion that needs one; else it is looked for beside the file")
+      ->type_name("FILE");
   command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
       ->check(check_rate)
       ->type_name("RATE");
@@ -90,10 +87,10 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   options.encoding = reading.encoding;
   options.positions = position_mode(reading.positions);
   options.fps = reading.fps;
+  options.skeleton_name = reading.skeleton;
+  if (!reading.unit_in.empty()) options.metres_per_unit = metres_of(reading.unit_in);
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
-  auto document = read_file(path, format, options, diagnostics);
-  if (document && !reading.unit_in.empty()) say_unit(*document, *metres_of(reading.unit_in));
-  return document;
+  return read_file(path, format, options, diagnostics);
 }
 
 std::optional<Document> load(const std::string& path, const Reading& reading,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kinefile/document.hpp"
 #include "kinefile/result.hpp"
@@ -20,6 +22,23 @@ enum class PositionMode {
   Auto,     ///< decided from the first frames, with a note
 };
 
+/// A file that another one needs.
+struct CompanionFile {
+  std::string name;        ///< how diagnostics call it
+  std::string_view bytes;  ///< alive as long as `owner`
+  std::shared_ptr<const void> owner;
+};
+
+/// Finds the files that a format needs beside the one that is read: on the disk, or among those
+/// that a page was given. Either function may be absent, which finds nothing.
+struct Resolver {
+  /// Opens a file by its name, relative to the one that is read, whatever the case of letters;
+  /// never one above its folder.
+  std::function<std::optional<CompanionFile>(const std::string& name)> open = {};
+  /// The names of the files beside the one that is read that have an extension, in order.
+  std::function<std::vector<std::string>(std::string_view extension)> list = {};
+};
+
 /// How to read a file.
 struct ReadOptions {
   std::string source_name = "<memory>";  ///< how diagnostics call the input
@@ -29,12 +48,20 @@ struct ReadOptions {
   PositionMode positions = PositionMode::Replace;
   std::optional<double> fps =
       std::nullopt;  ///< overrides the file's frame rate, or says what it does not
+  /// Metres in the unit of length that the format leaves open: BVH's unit; what an ASF file's
+  /// lengths are in once they are divided by its own factor.
+  std::optional<double> metres_per_unit = std::nullopt;
+  /// For motions that need one; `read_file` reads it from `skeleton_name` where it is null.
+  std::shared_ptr<const Document> skeleton = nullptr;
+  std::string skeleton_name = {};  ///< a path, and how diagnostics call it
+  Resolver companions = {};
 };
 
 /// How to write a file.
 struct WriteOptions {
   std::optional<int> decimals =
-      std::nullopt;  ///< digits after the point; absent: the shortest exact form
+      std::nullopt;            ///< digits after the point; absent: the shortest exact form
+  std::string companion = {};  ///< the name of the file that is written beside this one
 };
 
 /// Takes the next piece of the output; returns false to stop.
@@ -45,6 +72,7 @@ struct Format {
   std::string_view name;
   std::string_view description;
   std::span<const std::string_view> extensions;  ///< with the dot, lower case, the usual one first
+  std::string_view companion;  ///< the format of a file that is written beside: "asf" for "amc"
 
   /// Tells whether a file that starts with these bytes is surely of this format; null: never.
   bool (*probe)(std::string_view head);

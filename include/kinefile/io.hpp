@@ -17,11 +17,17 @@ class FileBytes {
   static Result<FileBytes> open(const std::string& path);
 
   std::string_view view() const { return view_; }
+  /// What keeps the bytes alive.
+  const std::shared_ptr<const void>& owner() const { return owner_; }
 
  private:
   std::shared_ptr<const void> owner_;
   std::string_view view_;
 };
+
+/// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
+/// cannot make its reader open others.
+Resolver files_beside(const std::string& path);
 
 /// Reads a document from a file.
 /// \param path    "-" is standard input; diagnostics then call it <stdin>

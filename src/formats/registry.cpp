@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/acclaim/format.hpp"
 #include "formats/bvh/format.hpp"
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
@@ -12,9 +13,7 @@ namespace kinefile {
 
 std::span<const Format> formats() {
   static const std::array kFormats = {
-      bvh::format(),
-      csv::format(),
-      json::format(),
+      bvh::format(), acclaim::asf_format(), acclaim::amc_format(), csv::format(), json::format(),
   };
   return kFormats;
 }

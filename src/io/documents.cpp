@@ -19,6 +19,19 @@ std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   return names;
 }
 
+/// Reads the skeleton that the caller named, once its motion asks for one.
+Result<void> read_skeleton(const std::string& path, ReadOptions& options,
+                           Diagnostics& diagnostics) {
+  ReadOptions skeleton_options;
+  skeleton_options.lenient = options.lenient;
+  skeleton_options.positions = options.positions;
+  skeleton_options.metres_per_unit = options.metres_per_unit;
+  auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
+  return {};
+}
+
 }  // namespace
 
 Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
@@ -38,6 +51,11 @@ Result<Document> read_file(const std::string& path, const Format* format, ReadOp
             : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
         options.source_name));
   }
+  if (!options.skeleton_name.empty() && options.skeleton == nullptr) {
+    auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
+    if (!skeleton) return fail(std::move(skeleton.error()));
+  }
+  if (path != "-" && !options.companions.open) options.companions = files_beside(path);
   return format->read(bytes->view(), options, diagnostics);
 }
 

@@ -76,6 +76,12 @@ void report(const Source& source, Diagnostics& diagnostics, Severity severity, s
   }
 }
 
+std::string_view line_end_of(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string_view::npos || text[end] == '\n') return "lf";
+  return end + 1 < text.size() && text[end + 1] == '\n' ? "crlf" : "cr";
+}
+
 std::string quoted(std::string_view token) {
   if (token.empty()) return "the end of the file";
   constexpr std::size_t kLongest = 40;

@@ -41,6 +41,9 @@ class Source {
 void report(const Source& source, Diagnostics& diagnostics, Severity severity, std::string code,
             std::string message, const char* position);
 
+/// The line end that a text uses, by its first line: "lf", "crlf" or "cr".
+std::string_view line_end_of(std::string_view text);
+
 /// A token as a message may show it: quoted, control characters escaped, long ones cut; an empty
 /// one is "the end of the file".
 std::string quoted(std::string_view token);

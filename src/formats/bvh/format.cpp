@@ -26,13 +26,6 @@ bool probe(std::string_view head) {
   return text::equals_ignoring_case(word, "HIERARCHY") || text::equals_ignoring_case(word, "ROOT");
 }
 
-/// The line end that a text uses, by its first line.
-std::string_view line_end_of(std::string_view text) {
-  const std::size_t end = text.find_first_of("\r\n");
-  if (end == std::string_view::npos || text[end] == '\n') return "lf";
-  return end + 1 < text.size() && text[end + 1] == '\n' ? "crlf" : "cr";
-}
-
 /// Settles how position channels are meant, and says so where the file does not make it plain.
 PositionMode settle_positions(const File& file, const text::Source& source, PositionMode asked,
                               Diagnostics& diagnostics) {
@@ -77,9 +70,10 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   Document document;
   document.format = "bvh";
   document.extras.file["encoding"] = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
-  document.extras.file["line_end"] = line_end_of(view);
+  document.extras.file["line_end"] = text::line_end_of(view);
   document.extras.file["positions"] = mode == PositionMode::Add ? "add" : "replace";
   Motion motion = bind(std::move(file), mode);
+  motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
   if (options.fps) motion.clip.timeline = {Timeline::Given::FrameRate, *options.fps, 0, {}};
   if (has_motion) {
     document.content = std::move(motion);
@@ -129,7 +123,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"bvh", "Biovision Hierarchy: skeleton and motion", kExtensions, probe, read, write};
+  return {"bvh", "Biovision Hierarchy: skeleton and motion", kExtensions, {}, probe, read, write};
 }
 
 }  // namespace kinefile::bvh

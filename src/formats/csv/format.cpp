@@ -40,8 +40,9 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 
 Format format() {
   return {"csv",       "comma-separated values: a row a frame, a column a channel",
-          kExtensions, nullptr,
-          nullptr,     write};
+          kExtensions, {},
+          nullptr,     nullptr,
+          write};
 }
 
 }  // namespace kinefile::csv

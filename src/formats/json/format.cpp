@@ -105,7 +105,8 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"json", "JSON: skeleton, column names and values", kExtensions, nullptr, nullptr, write};
+  return {"json", "JSON: skeleton, column names and values", kExtensions, {}, nullptr, nullptr,
+          write};
 }
 
 }  // namespace kinefile::json

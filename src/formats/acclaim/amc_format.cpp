@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+
+#include "formats/acclaim/bind.hpp"
+#include "formats/acclaim/codes.hpp"
+#include "formats/acclaim/extras.hpp"
+#include "formats/acclaim/format.hpp"
+#include "formats/acclaim/parser.hpp"
+#include "formats/acclaim/print.hpp"
+#include "text/decode.hpp"
+#include "text/scanner.hpp"
+
+namespace kinefile::acclaim {
+namespace {
+
+constexpr std::array<std::string_view, 1> kExtensions = {".amc"};
+constexpr double kUsualRate = 120;
+
+bool probe(std::string_view head) {
+  constexpr std::array<std::string_view, 4> kKeywords = {":fully-specified", ":degrees", ":radians",
+                                                         ":force-all-joints-be-3dof"};
+  if (text::starts_with_ignoring_case(head, "#!OML:ASF")) return true;
+  Lexer lexer(head);
+  const std::string_view word = lexer.take();
+  for (const std::string_view keyword : kKeywords) {
+    if (text::equals_ignoring_case(word, keyword)) return true;
+  }
+  return false;
+}
+
+/// The skeleton of a motion, as its file has it.
+struct Found {
+  AsfFile file;
+  std::string name;
+  double metres_per_quotient = 0;
+};
+
+/// The file that a skeleton was read from, which was read before.
+Result<Found> skeleton_of_options(const ReadOptions& options, Diagnostics& diagnostics) {
+  const Document& document = *options.skeleton;
+  const std::string name = options.skeleton_name;
+  const auto refuse = [&](const std::string& why) {
+    Error error = make_error(ErrorKind::Usage, code::kOtherSkeleton,
+                             fmt::format("expected an ASF skeleton, found {}", why), name);
+    diagnostics.add(error);
+    return fail(std::move(error));
+  };
+  if (document.format != "asf") return refuse(document.format);
+  auto unbound = unbind(skeleton_of(document), document.extras);
+  if (!unbound) return refuse("one that ASF cannot say: " + unbound.error().message);
+  const double length = unbound->file.length.value_or(1.0);
+  return Found{std::move(unbound->file), name, skeleton_of(document).metres_per_unit * length};
+}
+
+Result<Found> skeleton_beside(const AmcHeader& header, const text::Source& source,
+                              const ReadOptions& options, Diagnostics& diagnostics) {
+  const char* at = header.hint_at != nullptr ? header.hint_at : source.text().data();
+  std::string how;
+  const auto companion = find_skeleton(header, options, how);
+  if (!companion) {
+    const std::string hint =
+        header.skeleton_hint.empty()
+            ? ""
+            : fmt::format(", which names {}", text::quoted(header.skeleton_hint));
+    text::report(source, diagnostics, Severity::Error, code::kNoSkeleton,
+                 fmt::format("expected the .asf file of this motion{} beside it, found none, or "
+                             "several; --skeleton names it",
+                             hint),
+                 at);
+    return fail(diagnostics.first_error());
+  }
+  text::report(source, diagnostics, Severity::Note, code::kSkeletonFound,
+               fmt::format("the skeleton is '{}', {}", companion->name, how), at);
+  ReadOptions skeleton_options = options;
+  skeleton_options.source_name = companion->name;
+  skeleton_options.encoding.clear();
+  auto skeleton = read_skeleton(companion->bytes, skeleton_options, diagnostics);
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  return Found{std::move(skeleton->file), companion->name, skeleton->metres_per_quotient};
+}
+
+Timeline timeline_of(const AmcHeader& header, const text::Source& source,
+                     const ReadOptions& options, Diagnostics& diagnostics) {
+  Timeline timeline;
+  timeline.given = Timeline::Given::FrameRate;
+  timeline.value = options.fps.value_or(header.samples_per_second.value_or(kUsualRate));
+  if (!options.fps && !header.samples_per_second) {
+    text::report(source, diagnostics, Severity::Note, code::kRateAssumed,
+                 "the file does not say its frame rate; 120 frames a second are assumed (--fps "
+                 "says otherwise)",
+                 source.text().data());
+  }
+  return timeline;
+}
+
+/// What is kept of the file for `write`.
+void keep_words(Document& document, const AmcHeader& header, const AmcBody& body,
+                const std::vector<BoneColumns>& bones, const ReadOptions& options) {
+  auto& words = document.extras.file;
+  std::string order;
+  for (const std::size_t b : body.bone_order) order += (order.empty() ? "" : " ") + bones[b].name;
+  words["amc_order"] = order;
+  if (!header.other_lines.empty()) words["amc_header"] = header.other_lines;
+  if (header.forces_3dof) words["force_3dof"] = "yes";
+  words["rate"] = options.fps ? "asked" : header.samples_per_second ? "file" : "assumed";
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) {
+    diagnostics.add(decoded.error());
+    return fail(std::move(decoded.error()));
+  }
+  const text::Source source(options.source_name, decoded->view());
+  Parser parser{source, options.lenient, diagnostics, Lexer(source.text())};
+  const AmcHeader header = parse_amc_header(parser);
+  auto found = options.skeleton != nullptr ? skeleton_of_options(options, diagnostics)
+                                           : skeleton_beside(header, source, options, diagnostics);
+  if (!found) return fail(std::move(found.error()));
+
+  Motion motion;
+  motion.skeleton = bind(found->file, {header.forces_3dof, found->metres_per_quotient});
+  if (header.angle) motion.skeleton.angle_unit = *header.angle;
+  const std::vector<BoneColumns> bones = columns_of_bones(motion.skeleton);
+  AmcBody body = parse_amc_body(parser, bones, found->name);
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  motion.clip.timeline = timeline_of(header, source, options, diagnostics);
+  motion.clip.timeline.first_frame_number = body.first_frame_number;
+  motion.clip.num_frames = body.num_frames;
+  motion.clip.num_coordinates = motion.skeleton.coordinates.size();
+  motion.clip.values = std::move(body.values);
+
+  Document document;
+  document.format = "amc";
+  document.extras = extras_of(found->file);
+  document.extras.file["skeleton"] = found->name;
+  document.extras.file["encoding"] = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  document.extras.file["line_end"] = text::line_end_of(decoded->view());
+  keep_words(document, header, body, bones, options);
+  document.content = std::move(motion);
+  return document;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto document = read_alone(bytes, options, own);
+  if (document && own.has_errors()) document = fail(own.first_error());
+  diagnostics.append(std::move(own));
+  return document;
+}
+
+AmcHeading heading_of(const Document& document, const Motion& motion, const WriteOptions& options) {
+  const auto word = [&document](const char* key) {
+    const auto found = document.extras.file.find(key);
+    return found == document.extras.file.end() ? std::string() : found->second;
+  };
+  AmcHeading heading;
+  heading.skeleton = options.companion;
+  heading.angle = motion.skeleton.angle_unit;
+  if (document.format != "amc") return heading;
+  heading.other_lines = word("amc_header");
+  heading.bone_order = word("amc_order");
+  heading.first_frame_number = motion.clip.timeline.first_frame_number;
+  // A rate that the file did not say is not put into its mouth, unless it is another one now.
+  heading.says_rate = word("rate") != "assumed" || frame_rate(motion.clip.timeline) != kUsualRate;
+  return heading;
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics&) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (motion == nullptr) {
+    return fail(make_error(ErrorKind::Usage, code::kNeedsAsf,
+                           "expected a motion to write as AMC, found a skeleton alone, which is "
+                           "written as ASF"));
+  }
+  auto unbound = unbind(motion->skeleton, document.extras);
+  if (!unbound) return fail(std::move(unbound.error()));
+  const auto kept = document.extras.file.find("line_end");
+  const bool is_crlf = kept != document.extras.file.end() && kept->second == "crlf";
+  text::Printer printer(sink, options.decimals);
+  print_amc(printer, *unbound, heading_of(document, *motion, options), motion->clip,
+            is_crlf ? "\r\n" : "\n");
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Format amc_format() {
+  return {"amc", "Acclaim motion, with its skeleton beside it", kExtensions, "asf", probe, read,
+          write};
+}
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+
+#include "formats/acclaim/bind.hpp"
+#include "formats/acclaim/codes.hpp"
+#include "formats/acclaim/extras.hpp"
+#include "formats/acclaim/format.hpp"
+#include "formats/acclaim/parser.hpp"
+#include "formats/acclaim/print.hpp"
+#include "text/decode.hpp"
+#include "text/scanner.hpp"
+
+namespace kinefile::acclaim {
+namespace {
+
+constexpr std::array<std::string_view, 2> kExtensions = {".asf", ".ast"};
+constexpr double kMetresPerInch = 0.0254;
+
+bool probe(std::string_view head) {
+  constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",
+                                                         ":bonedata"};
+  Lexer lexer(head);
+  const std::string_view word = lexer.take();
+  for (const std::string_view section : kSections) {
+    if (text::equals_ignoring_case(word, section)) return true;
+  }
+  return false;
+}
+
+/// Says what lengths are taken to be, since no file says it.
+void note_unit(const AsfFile& file, const text::Source& source, Diagnostics& diagnostics) {
+  const double length = file.length.value_or(1.0);
+  diagnostics.add(source.diagnose(
+      Severity::Note, code::kUnitAssumed,
+      fmt::format("lengths divided by {} are taken as inches, which makes a unit {} m; --unit-in "
+                  "says otherwise",
+                  length, kMetresPerInch / length),
+      source.text().data()));
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  auto skeleton = read_skeleton(bytes, options, diagnostics);
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  Document document;
+  document.format = "asf";
+  document.extras = extras_of(skeleton->file);
+  document.extras.file["encoding"] = skeleton->encoding;
+  document.extras.file["line_end"] = skeleton->line_end;
+  document.content = bind(skeleton->file, {false, skeleton->metres_per_quotient});
+  return document;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto document = read_alone(bytes, options, own);
+  if (document && own.has_errors()) document = fail(own.first_error());
+  diagnostics.append(std::move(own));
+  return document;
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics&) {
+  auto unbound = unbind(skeleton_of(document), document.extras);
+  if (!unbound) return fail(std::move(unbound.error()));
+  const auto kept = document.extras.file.find("line_end");
+  const bool is_crlf = kept != document.extras.file.end() && kept->second == "crlf";
+  text::Printer printer(sink, options.decimals);
+  print_asf(printer, unbound->file, is_crlf ? "\r\n" : "\n");
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& options,
+                                   Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) {
+    diagnostics.add(decoded.error());
+    return fail(std::move(decoded.error()));
+  }
+  const text::Source source(options.source_name, decoded->view());
+  ReadSkeleton skeleton;
+  skeleton.file = parse_asf(source, options.lenient, diagnostics);
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  skeleton.encoding = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  skeleton.line_end = text::line_end_of(decoded->view());
+  skeleton.metres_per_quotient = options.metres_per_unit.value_or(kMetresPerInch);
+  if (!options.metres_per_unit) note_unit(skeleton.file, source, diagnostics);
+  return skeleton;
+}
+
+Format asf_format() { return {"asf", "Acclaim skeleton", kExtensions, {}, probe, read, write}; }
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "formats/acclaim/bind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinefile::acclaim {
+namespace {
+
+Mat3 rotation_about(std::size_t axis, double angle, AngleUnit unit) {
+  double sine = 0;
+  double cosine = 1;
+  if (unit == AngleUnit::Degrees) {
+    // Whole quarter turns are taken off first, so that they stay exact.
+    const double quarters = std::nearbyint(std::remainder(angle, 360.0) / 90);
+    const double rest = (std::remainder(angle, 360.0) - 90 * quarters) * kRadiansPerDegree;
+    const double s = std::sin(rest);
+    const double c = std::cos(rest);
+    const int quarter = (static_cast<int>(quarters) + 4) % 4;
+    const std::array<double, 4> sines = {s, c, -s, -c};
+    sine = sines[static_cast<std::size_t>(quarter)];
+    cosine = sines[static_cast<std::size_t>((quarter + 1) % 4)];
+  } else {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  const auto a = static_cast<Eigen::Index>((axis + 1) % 3);
+  const auto b = static_cast<Eigen::Index>((axis + 2) % 3);
+  Mat3 rotation = Mat3::Identity();
+  rotation(a, a) = cosine;
+  rotation(b, b) = cosine;
+  rotation(a, b) = -sine;
+  rotation(b, a) = sine;
+  return rotation;
+}
+
+Vec3 unit_vector(DofWord word) { return Vec3::Unit(static_cast<Eigen::Index>(axis_of(word))); }
+
+/// The columns of a joint, one a word, and its degrees of freedom in the order of multiplication:
+/// translations first, then the rotations, of which the first word's is the innermost.
+void add_dofs(Skeleton& skeleton, std::size_t joint_index, const std::vector<DofWord>& words,
+              const Mat3& translation_axes, const Mat3& rotation_axes, const Vec3& along) {
+  Joint& joint = skeleton.joints[joint_index];
+  std::vector<DegreeOfFreedom> rotations;
+  for (const DofWord word : words) {
+    const std::size_t column = skeleton.coordinates.size();
+    skeleton.coordinates.push_back({joint_index, std::string(spelling(word))});
+    if (is_rotation(word)) {
+      rotations.insert(rotations.begin(),
+                       {DofKind::Rotation, rotation_axes * unit_vector(word), column, 0});
+    } else if (is_translation(word)) {
+      joint.dofs.push_back({DofKind::Translation, translation_axes * unit_vector(word), column, 0});
+    } else {
+      joint.dofs.push_back({DofKind::TailTranslation, along, column, 0});
+    }
+  }
+  std::stable_partition(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::Translation;
+  });
+  joint.dofs.insert(joint.dofs.end(), rotations.begin(), rotations.end());
+}
+
+/// The words of a bone whose values an AMC file with :FORCE-ALL-JOINTS-BE-3DOF has: the rotations
+/// that it lacks stand behind its own.
+std::vector<DofWord> forced_dofs(std::vector<DofWord> words) {
+  if (words.empty()) return words;
+  for (const DofWord word : {DofWord::Rx, DofWord::Ry, DofWord::Rz}) {
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return words;
+}
+
+/// Puts the rotations of a forced bone into the order in which they are evaluated: Rz Ry Rx,
+/// whatever the order of the values.
+void order_forced(Joint& joint, const Skeleton& skeleton) {
+  std::stable_sort(joint.dofs.begin(), joint.dofs.end(),
+                   [&skeleton](const DegreeOfFreedom& a, const DegreeOfFreedom& b) {
+                     const auto rank = [&skeleton](const DegreeOfFreedom& dof) {
+                       if (dof.kind != DofKind::Rotation) return 0;
+                       return 'z' + 1 - skeleton.coordinates[dof.coordinate].channel[1];
+                     };
+                     return rank(a) < rank(b);
+                   });
+}
+
+Joint bind_root(const Root& root, AngleUnit unit) {
+  Joint joint;
+  joint.name = "root";
+  joint.offset = {root.position[0], root.position[1], root.position[2]};
+  joint.rest_rotation = Quat(rotation_of(root.orientation, unit));
+  return joint;
+}
+
+}  // namespace
+
+Mat3 rotation_of(const Orientation& orientation, AngleUnit unit) {
+  Mat3 rotation = Mat3::Identity();
+  for (const std::size_t axis : orientation.order) {
+    rotation = rotation_about(axis, orientation.angles[axis], unit) * rotation;
+  }
+  return rotation;
+}
+
+Vec3 end_of(const Bone& bone) {
+  const Vec3 direction(bone.direction[0], bone.direction[1], bone.direction[2]);
+  const double norm = direction.norm();
+  if (!(norm > 0) || !std::isfinite(norm)) return Vec3::Zero();
+  return direction / norm * bone.length;
+}
+
+std::vector<std::size_t> parents_first(const AsfFile& file) {
+  std::vector<std::size_t> order;
+  std::vector<bool> is_placed(file.bones.size(), false);
+  std::vector<std::size_t> chain;  // a bone and its ancestors that have no place yet
+  for (std::size_t b = 0; b < file.bones.size(); ++b) {
+    for (std::size_t above = b; above != kNoParent && !is_placed[above];
+         above = file.bones[above].parent) {
+      chain.push_back(above);
+      is_placed[above] = true;
+    }
+    order.insert(order.end(), chain.rbegin(), chain.rend());
+    chain.clear();
+  }
+  return order;
+}
+
+Skeleton bind(const AsfFile& file, const BindOptions& options) {
+  const AngleUnit unit = file.angle.value_or(AngleUnit::Degrees);
+  Skeleton skeleton;
+  skeleton.name = file.name;
+  skeleton.angle_unit = unit;
+  skeleton.metres_per_unit = options.metres_per_quotient / file.length.value_or(1.0);
+  skeleton.joints.push_back(bind_root(file.root, unit));
+  const Mat3 root_axes = skeleton.joints[0].rest_rotation.toRotationMatrix().transpose();
+  add_dofs(skeleton, 0, file.root.order, root_axes, Mat3::Identity(), Vec3::Zero());
+
+  std::vector<std::size_t> joint_of_bone(file.bones.size());
+  for (const std::size_t b : parents_first(file)) {
+    const Bone& bone = file.bones[b];
+    const std::size_t index = skeleton.joints.size();
+    joint_of_bone[b] = index;
+    Joint joint;
+    joint.name = bone.name;
+    joint.parent = bone.parent == kNoParent ? 0 : joint_of_bone[bone.parent];
+    if (bone.parent != kNoParent) joint.offset = end_of(file.bones[bone.parent]);
+    joint.tips.push_back({"", end_of(bone)});
+    skeleton.joints.push_back(std::move(joint));
+    const Mat3 axes = rotation_of(bone.axis, unit);
+    const Vec3 end = end_of(bone);
+    const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();
+    const bool is_forced = options.forces_3dof && !bone.dofs.empty();
+    add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, axes, axes, along);
+    if (is_forced) order_forced(skeleton.joints[index], skeleton);
+  }
+  return skeleton;
+}
+
+std::vector<BoneColumns> columns_of_bones(const Skeleton& skeleton) {
+  std::vector<BoneColumns> bones;
+  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
+    const std::size_t joint = skeleton.coordinates[c].joint;
+    const bool is_next = !bones.empty() && skeleton.coordinates[c - 1].joint == joint;
+    if (is_next) {
+      ++bones.back().num_columns;
+    } else {
+      bones.push_back({skeleton.joints[joint].name, c, 1});
+    }
+  }
+  return bones;
+}
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/acclaim/syntax.hpp"
+#include "kinefile/document.hpp"
+#include "kinefile/format.hpp"
+#include "kinefile/result.hpp"
+
+namespace kinefile::acclaim {
+
+/// How a skeleton is given its meaning.
+struct BindOptions {
+  bool forces_3dof = false;             ///< bones that can turn, turn about all three axes
+  double metres_per_quotient = 0.0254;  ///< what lengths divided by the unit of length are in
+};
+
+/// The rotation of an orientation: "XYZ" makes Rz Ry Rx. Whole quarter turns are exact.
+Mat3 rotation_of(const Orientation& orientation, AngleUnit unit);
+
+/// Where a bone ends, in its own frame, which has the world's axes in the rest pose.
+Vec3 end_of(const Bone& bone);
+
+/// The order in which the model has the bones: that of the file, but parents first.
+std::vector<std::size_t> parents_first(const AsfFile& file);
+
+/// Gives a skeleton its meaning. Joint 0 is the root; the joints behind it are the bones in the
+/// order of `parents_first`. A bone's joint is where it starts, its tip where it ends.
+Skeleton bind(const AsfFile& file, const BindOptions& options);
+
+/// The columns of the bones that have any.
+std::vector<BoneColumns> columns_of_bones(const Skeleton& skeleton);
+
+/// The ASF form of a skeleton, and how its clip becomes the lines of an AMC file.
+struct Unbound {
+  AsfFile file;
+  bool forces_3dof = false;
+  /// The clip's columns for the values of the root and then of each bone of `file`.
+  std::vector<std::vector<std::size_t>> columns;
+};
+
+/// Finds the ASF form of a skeleton: the opposite of `bind`. What `extras` keeps of the file that
+/// it was read from is used as far as it still says the same.
+/// \errors ASF020 (DataLoss) if a joint is or moves in a way that ASF has no words for
+Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras);
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "formats/acclaim/syntax.hpp"
+#include "kinefile/format.hpp"
+
+namespace kinefile::acclaim {
+
+/// Acclaim Skeleton File, read and written. See docs/formats/acclaim.md.
+Format asf_format();
+
+/// Acclaim Motion Capture data, read and written; it needs its skeleton. See
+/// docs/formats/acclaim.md.
+Format amc_format();
+
+/// A skeleton as a file has it.
+struct ReadSkeleton {
+  AsfFile file;
+  std::string encoding;
+  std::string line_end;
+  double metres_per_quotient = 0.0254;
+};
+
+/// Reads an ASF file's bytes. On failure every error is in `diagnostics`.
+Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& options,
+                                   Diagnostics& diagnostics);
+
+/// Finds the skeleton of a motion among the files beside it: the one that its header names; its
+/// own name, shortened at underscores (01.asf for 01_02.amc); the only one that there is.
+/// \param how  out: in words, how it was found
+std::optional<CompanionFile> find_skeleton(const AmcHeader& header, const ReadOptions& options,
+                                           std::string& how);
+
+}  // namespace kinefile::acclaim

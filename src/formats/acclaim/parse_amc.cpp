@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "formats/acclaim/codes.hpp"
+#include "formats/acclaim/parser.hpp"
+#include "text/numbers.hpp"
+#include "text/scanner.hpp"
+
+namespace kinefile::acclaim {
+namespace {
+
+using text::equals_ignoring_case;
+using text::quoted;
+
+constexpr std::string_view kOmlMark = "#!OML:ASF";
+
+/// A frame number: a line with one word, which is a whole number.
+std::optional<std::int64_t> frame_number(std::string_view token) {
+  const bool is_negative = token.starts_with('-');
+  const auto count = text::parse_count(token.substr(is_negative ? 1 : 0));
+  constexpr std::size_t kMost = std::size_t{1} << 30;  // frames; a larger number is none of them
+  if (!count || *count > kMost) return std::nullopt;
+  const auto number = static_cast<std::int64_t>(*count);
+  return is_negative ? -number : number;
+}
+
+struct Body {
+  Parser& parser;
+  const std::vector<BoneColumns>& bones;
+  const std::string& skeleton_name;
+  AmcBody out = {};
+  std::unordered_map<std::string, std::size_t> index_of_name = {};  ///< in lower case
+  std::vector<double> row = {};           ///< the frame at hand; a missing bone holds its values
+  std::vector<std::size_t> seen_in = {};  ///< the last frame, from 1, in which each bone was
+  std::vector<std::string_view> spelled = {};  ///< the names as the first frame spells them
+  std::size_t num_seen = 0;                    ///< bones of the frame at hand
+  std::size_t next = 0;                        ///< where in the order the next bone is expected
+  bool is_in_frame = false;
+  std::int64_t number = 0;  ///< of the frame at hand
+  const char* number_at = nullptr;
+
+  const char* end() const { return parser.source.end(); }
+  std::size_t frame() const { return out.num_frames; }
+};
+
+void report_missing(Body& body) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < body.bones.size(); ++b) {
+    if (body.seen_in[b] == body.frame() + 1) continue;
+    if (++count <= 5) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.bones[b].name);
+  }
+  if (count > 5) names += fmt::format(" and {} more", count - 5);
+  body.parser.warn(
+      code::kMissingBone,
+      fmt::format("expected all bones in frame {}, found none of {}; {}", body.number, names,
+                  body.frame() == 0 ? "they rest at 0" : "they hold their values"),
+      body.number_at);
+}
+
+void finish_frame(Body& body) {
+  if (!body.is_in_frame) return;
+  if (body.num_seen < body.bones.size()) report_missing(body);
+  body.out.values.insert(body.out.values.end(), body.row.begin(), body.row.end());
+  ++body.out.num_frames;
+  body.is_in_frame = false;
+}
+
+/// Makes room for as many frames as there would be if all were as long as the first.
+void reserve_frames(Body& body, const char* begin, const char* next) {
+  const auto frame_bytes = static_cast<std::size_t>(next - begin) + 1;
+  const auto num_bytes = static_cast<std::size_t>(body.end() - begin);
+  const std::size_t num_frames = num_bytes / frame_bytes + num_bytes / frame_bytes / 16 + 1;
+  // A number has two bytes at least, so hostile files cannot ask for more than four times theirs.
+  body.out.values.reserve(std::min(num_frames * body.row.size(), num_bytes / 2 + 1));
+}
+
+void start_frame(Body& body, std::int64_t number, const char* at) {
+  const bool is_first = !body.is_in_frame && body.frame() == 0;
+  const char* begin = body.number_at;
+  finish_frame(body);
+  if (body.frame() == 1) reserve_frames(body, begin, at);
+  if (is_first) {
+    body.out.first_frame_number = number;
+  } else if (number != body.number + 1) {
+    body.parser.warn(code::kFrameNumbers,
+                     fmt::format("expected frame number {}, found {}; frames are counted in the "
+                                 "order in which they stand",
+                                 body.number + 1, number),
+                     at);
+  }
+  body.number = number;
+  body.number_at = at;
+  body.is_in_frame = true;
+  body.num_seen = 0;
+  body.next = 0;
+}
+
+/// The bone of a name: mostly the next in the order of the first frame.
+std::optional<std::size_t> find_bone(Body& body, std::string_view name) {
+  if (body.next < body.out.bone_order.size() && body.spelled[body.next] == name) {
+    return body.out.bone_order[body.next++];
+  }
+  const auto found = body.index_of_name.find(text::lowered(name));
+  if (found == body.index_of_name.end()) return std::nullopt;
+  const auto place =
+      std::find(body.out.bone_order.begin(), body.out.bone_order.end(), found->second);
+  body.next = static_cast<std::size_t>(place - body.out.bone_order.begin()) + 1;
+  if (body.frame() == 0 && place == body.out.bone_order.end()) {
+    body.out.bone_order.push_back(found->second);
+    body.spelled.push_back(name);
+    body.next = body.out.bone_order.size();
+  }
+  return found->second;
+}
+
+/// Reads a value that the row reader left, with a diagnostic where it is none.
+std::optional<double> parse_value(Parser& parser, std::string_view token, const std::string& what) {
+  const text::Number number = text::parse_number(token);
+  if (number.fault == text::NumberFault::None && !std::isfinite(number.value)) {
+    parser.warn(code::kNotFinite,
+                fmt::format("expected a finite number, found {}; it is kept", quoted(token)),
+                token.data());
+    return number.value;
+  }
+  if (number.fault == text::NumberFault::None) return number.value;
+  const bool is_huge = number.fault == text::NumberFault::OutOfRange;
+  parser.error(code::kBadValue,
+               fmt::format("expected {}{}, found {}", what,
+                           is_huge ? " that a double can hold" : "", quoted(token)),
+               token.data());
+  return std::nullopt;
+}
+
+/// Whether the next line goes on with a bone's values: it starts with a number and is no frame
+/// number.
+bool goes_on(Body& body) {
+  Lexer& lexer = body.parser.lexer;
+  const char* here = lexer.position();
+  const std::string_view token = lexer.take();
+  const bool is_value =
+      !token.empty() && text::parse_number(token).fault != text::NumberFault::NotANumber;
+  const bool is_alone = is_value && lexer.peek_in_line().empty() && frame_number(token);
+  lexer.move_to(is_value && !is_alone ? token.data() : here);
+  return is_value && !is_alone;
+}
+
+void report_count(Body& body, const BoneColumns& bone, std::size_t num_found, const char* at) {
+  body.parser.error(
+      code::kValueCount,
+      fmt::format("expected {} value{} for bone '{}' in frame {}, found {}", bone.num_columns,
+                  bone.num_columns == 1 ? "" : "s", bone.name, body.number, num_found),
+      at);
+}
+
+/// Reads what the row reader could not: values that are not finite, comments, wrapped lines, too
+/// few or too many values.
+void read_odd_values(Body& body, const BoneColumns& bone, std::size_t num_read, const char* name) {
+  Lexer& lexer = body.parser.lexer;
+  double* out = body.row.data() + bone.first_column;
+  std::size_t count = num_read;
+  while (true) {
+    const std::string_view token = lexer.peek_in_line();
+    if (token.empty()) {
+      if (count >= bone.num_columns || !goes_on(body)) break;
+      continue;
+    }
+    lexer.take_in_line();
+    const auto value = parse_value(body.parser, token, "a value");
+    if (!value) {
+      lexer.take_line();
+      return;
+    }
+    if (count < bone.num_columns) out[count] = *value;
+    ++count;
+  }
+  if (count != bone.num_columns) report_count(body, bone, count, name);
+}
+
+void read_values(Body& body, const BoneColumns& bone, const char* name) {
+  Lexer& lexer = body.parser.lexer;
+  const text::NumberRow read = text::read_number_row(
+      lexer.position(), body.end(), body.row.data() + bone.first_column, bone.num_columns);
+  const bool is_whole = read.count == bone.num_columns && read.end == text::RowEnd::EndOfLine;
+  if (is_whole) {
+    lexer.move_to(read.next);
+    return;
+  }
+  // The row reader may have gone behind the line's end.
+  if (read.end == text::RowEnd::EndOfLine) {
+    lexer.move_to(read.next);
+    if (goes_on(body)) return read_odd_values(body, bone, read.count, name);
+    report_count(body, bone, read.count, name);
+    return;
+  }
+  lexer.move_to(read.next);
+  read_odd_values(body, bone, read.count, name);
+}
+
+void read_bone_line(Body& body, std::string_view name) {
+  Parser& parser = body.parser;
+  const auto index = find_bone(body, name);
+  if (!index) {
+    const bool is_number = text::parse_number(name).fault != text::NumberFault::NotANumber;
+    if (is_number) {
+      parser.error(code::kUnexpectedLine,
+                   fmt::format("expected a frame number or a bone's name, found {} at the start "
+                               "of a line of values",
+                               quoted(name)),
+                   name.data());
+    } else {
+      parser.repair(code::kNoSuchBone,
+                    fmt::format("expected a bone of '{}' that can move, found {}",
+                                body.skeleton_name, quoted(name)),
+                    "the line is left out", name.data());
+    }
+    parser.lexer.take_line();
+    return;
+  }
+  if (!body.is_in_frame) {
+    parser.error(
+        code::kUnexpectedLine,
+        fmt::format("expected a frame number before the first bone, found {}", quoted(name)),
+        name.data());
+    body.is_in_frame = true;  // said once
+    body.number_at = name.data();
+  }
+  if (std::exchange(body.seen_in[*index], body.frame() + 1) == body.frame() + 1) {
+    parser.repair(
+        code::kBoneTwice,
+        fmt::format("expected bone {} once in frame {}, found it again", quoted(name), body.number),
+        "the later values stand", name.data());
+  } else {
+    ++body.num_seen;
+  }
+  read_values(body, body.bones[*index], name.data());
+}
+
+std::string_view value_of_hint(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t:");
+  return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
+}
+
+void append_line(std::string& lines, std::string_view line) {
+  if (!lines.empty()) lines += '\n';
+  lines += line;
+}
+
+void set_angle(Parser& parser, AmcHeader& header, AngleUnit unit, const char* at) {
+  if (header.angle && *header.angle != unit) {
+    parser.error(code::kUnitChanges, "expected one of :DEGREES and :RADIANS, found both", at);
+  }
+  header.angle = unit;
+}
+
+void parse_rate(Parser& parser, AmcHeader& header) {
+  const std::string_view token = parser.lexer.take_in_line();
+  const text::Number number = text::parse_number(token);
+  const bool is_rate =
+      number.fault == text::NumberFault::None && number.value >= 1e-9 && number.value <= 1e9;
+  if (is_rate) {
+    header.samples_per_second = number.value;
+    return;
+  }
+  parser.repair(code::kBadHeader,
+                fmt::format("expected frames a second above 0 after :SAMPLES-PER-SECOND, found {}",
+                            token.empty() ? "the end of the line" : quoted(token)),
+                "the line is left out", token.data());
+}
+
+/// Reads a line that starts with a colon.
+void parse_keyword(Parser& parser, AmcHeader& header) {
+  const std::string_view keyword = parser.lexer.take();
+  const std::string_view word = keyword.substr(1);
+  const char* after = parser.lexer.position();
+  if (equals_ignoring_case(word, "DEGREES")) {
+    set_angle(parser, header, AngleUnit::Degrees, keyword.data());
+  } else if (equals_ignoring_case(word, "RADIANS")) {
+    set_angle(parser, header, AngleUnit::Radians, keyword.data());
+  } else if (equals_ignoring_case(word, "FORCE-ALL-JOINTS-BE-3DOF")) {
+    header.forces_3dof = true;
+  } else if (equals_ignoring_case(word, "SAMPLES-PER-SECOND")) {
+    parse_rate(parser, header);
+  } else if (equals_ignoring_case(word, "asf-file")) {
+    header.hint_at = keyword.data();
+    header.skeleton_hint = value_of_hint(parser.lexer.take_line());
+  } else if (equals_ignoring_case(word, "asf-path")) {
+    header.skeleton_path = value_of_hint(parser.lexer.take_line());
+  } else if (!equals_ignoring_case(word, "FULLY-SPECIFIED") &&
+             !equals_ignoring_case(word, "FRAME-RANGE")) {
+    parser.lexer.move_to(keyword.data());
+    append_line(header.other_lines, parser.lexer.take_line());
+    parser.warn(code::kUnknownHeader,
+                fmt::format("expected a keyword of AMC, found {}; it is kept as it stands",
+                            quoted(keyword)),
+                keyword.data());
+    return;
+  }
+  parser.lexer.move_to(std::max(after, parser.lexer.position()));
+  parser.lexer.take_line();
+}
+
+void parse_comment(AmcHeader& header, std::string_view line) {
+  if (!text::starts_with_ignoring_case(line, kOmlMark)) {
+    append_line(header.other_lines, line);
+  } else if (header.skeleton_hint.empty()) {
+    header.hint_at = line.data();
+    header.skeleton_hint = value_of_hint(line.substr(kOmlMark.size()));
+  }
+}
+
+}  // namespace
+
+AmcHeader parse_amc_header(Parser& parser) {
+  AmcHeader header;
+  while (true) {
+    const char* line = parser.lexer.position();
+    while (line != parser.source.end() && (text::is_blank(*line) || text::is_line_end(*line))) {
+      ++line;
+    }
+    parser.lexer.move_to(line);
+    if (line == parser.source.end()) return header;
+    if (*line == '#') {
+      parse_comment(header, parser.lexer.take_line());
+    } else if (*line == ':') {
+      parse_keyword(parser, header);
+    } else {
+      return header;
+    }
+  }
+}
+
+AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
+                       const std::string& skeleton_name) {
+  Body body{parser, bones, skeleton_name};
+  std::size_t num_columns = 0;
+  for (std::size_t b = 0; b < bones.size(); ++b) {
+    body.index_of_name[text::lowered(bones[b].name)] = b;
+    num_columns = std::max(num_columns, bones[b].first_column + bones[b].num_columns);
+  }
+  body.row.assign(num_columns, 0.0);
+  body.seen_in.assign(bones.size(), 0);
+  while (true) {
+    const std::string_view word = parser.lexer.take();
+    if (word.empty()) break;
+    if (word.starts_with(':')) {
+      parser.error(code::kUnexpectedLine,
+                   fmt::format("expected a frame, found {} behind the first one", quoted(word)),
+                   word.data());
+      parser.lexer.take_line();
+      continue;
+    }
+    const auto number = word[0] <= '9' ? frame_number(word) : std::nullopt;
+    if (number && parser.lexer.peek_in_line().empty()) {
+      start_frame(body, *number, word.data());
+    } else {
+      read_bone_line(body, word);
+    }
+  }
+  finish_frame(body);
+  if (body.out.num_frames == 0 && !parser.diagnostics.has_errors()) {
+    parser.warn(code::kNoFrames,
+                "expected a frame number, found the end of the file; the motion "
+                "has no frames",
+                parser.source.end());
+  }
+  return std::move(body.out);
+}
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formats/acclaim/bind.hpp"
+#include "kinefile/clip.hpp"
+#include "text/printer.hpp"
+
+namespace kinefile::acclaim {
+
+/// Writes a skeleton; `line_end` is "\n" or "\r\n".
+void print_asf(text::Printer& printer, const AsfFile& file, std::string_view line_end);
+
+/// What the lines before the first frame are to say.
+struct AmcHeading {
+  std::string skeleton;     ///< the ASF file's name; empty: not said
+  std::string other_lines;  ///< as they stood
+  AngleUnit angle = AngleUnit::Degrees;
+  bool says_rate = true;
+  std::int64_t first_frame_number = 1;
+  std::string bone_order;  ///< the names of the bones that have values, if they had an order
+};
+
+/// Writes a motion.
+void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
+               const Clip& clip, std::string_view line_end);
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Acclaim skeletons (ASF) and motions (AMC). The sources are
+// - Schafer, "ASF: Acclaim Skeleton File Format", version 1.10,
+// - the Acclaim notes of Vicon BodyBuilder, and Lander, "ASF-AMC", University of Wisconsin, 1999,
+// - what 562 AMC and 43 ASF files do, listed in docs/formats/acclaim.md.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/skeleton.hpp"
+
+namespace kinefile::acclaim {
+
+/// A word of a `dof` or `order` line.
+enum class DofWord { Tx, Ty, Tz, Rx, Ry, Rz, Length };
+
+inline constexpr std::array<std::string_view, 7> kDofWords = {"tx", "ty", "tz", "rx",
+                                                              "ry", "rz", "l"};
+
+inline std::string_view spelling(DofWord word) { return kDofWords[static_cast<std::size_t>(word)]; }
+
+constexpr bool is_rotation(DofWord word) { return word >= DofWord::Rx && word <= DofWord::Rz; }
+constexpr bool is_translation(DofWord word) { return word <= DofWord::Tz; }
+
+/// The coordinate axis of a rotation or a translation: 0 x, 1 y, 2 z.
+constexpr std::size_t axis_of(DofWord word) { return static_cast<std::size_t>(word) % 3; }
+
+/// The order in which three rotations about fixed axes are applied, first to last: "XYZ" is
+/// {0, 1, 2} and makes Rz Ry Rx.
+using AxisOrder = std::array<std::size_t, 3>;
+
+/// Three angles about x, y and z (in this order, whatever `order` says), in the file's unit.
+struct Orientation {
+  std::array<double, 3> angles{};
+  AxisOrder order = {0, 1, 2};
+};
+
+struct Limit {
+  double low = 0;  ///< may be infinite
+  double high = 0;
+};
+
+/// `begin ... end` of :bonedata.
+struct Bone {
+  std::string id;
+  std::string name;
+  std::array<double, 3> direction{};  ///< in the world, in the rest pose; not normalised
+  double length = 0;
+  Orientation axis;
+  std::vector<DofWord> dofs;  ///< in the order of values and of application
+  std::vector<Limit> limits;
+  std::string body_mass;  ///< empty where the file does not say
+  std::string cof_mass;
+  std::vector<std::string> other_lines;  ///< of words that this project does not know
+  std::size_t parent = kNoParent;        ///< index of a bone, or kNoParent for the root
+};
+
+/// `:root`
+struct Root {
+  std::vector<DofWord> order;
+  Orientation orientation;
+  std::array<double, 3> position{};
+};
+
+/// What an ASF file says.
+struct AsfFile {
+  std::string comments;  ///< the lines before the first section, without the last line end
+  std::string version;
+  std::string name;
+  std::optional<double> mass;
+  std::optional<double> length;
+  std::optional<AngleUnit> angle;
+  std::string documentation;  ///< its lines as they stand
+  Root root;
+  std::vector<Bone> bones;     ///< in the order of :bonedata
+  std::string skin;            ///< its lines as they stand
+  std::string other_sections;  ///< with their keywords, as they stand
+};
+
+/// What the lines before the first frame of an AMC file say.
+struct AmcHeader {
+  std::string skeleton_hint;  ///< of `#!OML:ASF` or `:asf-file`
+  std::string skeleton_path;  ///< of `:asf-path`
+  const char* hint_at = nullptr;
+  std::optional<AngleUnit> angle;
+  bool forces_3dof = false;
+  std::optional<double> samples_per_second;
+  std::string other_lines;  ///< keywords that this project does not know, and comments
+};
+
+/// A line of the body of an AMC file: which columns of the clip a bone's values are.
+struct BoneColumns {
+  std::string name;
+  std::size_t first_column = 0;
+  std::size_t num_columns = 0;
+};
+
+/// The frames of an AMC file.
+struct AmcBody {
+  std::vector<double> values;  ///< [frame][column]
+  std::size_t num_frames = 0;
+  std::int64_t first_frame_number = 1;
+  std::vector<std::size_t> bone_order;  ///< of the first frame, as indices of BoneColumns
+};
+
+/// A file may have this many bones.
+inline constexpr std::size_t kMaxBones = 100'000;
+
+}  // namespace kinefile::acclaim

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "formats/acclaim/bind.hpp"
+#include "formats/acclaim/codes.hpp"
+#include "formats/acclaim/extras.hpp"
+#include "text/numbers.hpp"
+#include "text/scanner.hpp"
+
+namespace kinefile::acclaim {
+namespace {
+
+constexpr double kSquareTolerance = 1e-9;
+
+Error not_expressible(const Joint& joint, std::string_view why) {
+  return make_error(ErrorKind::DataLoss, code::kNotExpressible,
+                    fmt::format("ASF cannot say that joint '{}' {}", joint.name, why));
+}
+
+/// Whether the reader finds the name again as one word that is no keyword of a bone or a line.
+bool is_writable_name(std::string_view name) {
+  const bool is_word = !name.empty() && name.find_first_of(" \t\v\f\r\n(),#") == std::string::npos;
+  return is_word && name.front() != ':' && !text::equals_ignoring_case(name, "root") &&
+         !text::equals_ignoring_case(name, "begin") && !text::equals_ignoring_case(name, "end") &&
+         text::parse_number(name).fault == text::NumberFault::NotANumber;
+}
+
+/// A degree of freedom and the word that it gets.
+struct Worded {
+  const DegreeOfFreedom* dof;
+  DofWord word;
+};
+
+/// The axis that a column's own word names: "rx", "Xrotation"; 3 for none.
+std::size_t axis_of_channel(std::string_view channel) {
+  if (channel.size() == 2) channel.remove_prefix(1);  // rx, ty
+  const std::size_t at =
+      channel.empty() ? std::string_view::npos : std::string_view("xyzXYZ").find(channel.front());
+  return at == std::string_view::npos ? 3 : at % 3;
+}
+
+/// Gives the rotations, or the translations, of a joint their words: those of their columns where
+/// these are different ones, else x, y and z in turn.
+void add_words(const Skeleton& skeleton, const std::vector<const DegreeOfFreedom*>& dofs,
+               DofWord first_word, std::vector<Worded>& worded) {
+  std::set<std::size_t> axes;
+  for (const DegreeOfFreedom* dof : dofs) {
+    axes.insert(axis_of_channel(skeleton.coordinates[dof->coordinate].channel));
+  }
+  const bool are_named = axes.size() == dofs.size() && axes.count(3) == 0;
+  for (std::size_t d = 0; d < dofs.size(); ++d) {
+    const std::size_t axis =
+        are_named ? axis_of_channel(skeleton.coordinates[dofs[d]->coordinate].channel) : d;
+    worded.push_back({dofs[d], static_cast<DofWord>(static_cast<std::size_t>(first_word) + axis)});
+  }
+}
+
+/// The words of a joint in the order of application: translations, the length, then the rotations
+/// from the innermost on.
+Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& joint) {
+  std::vector<const DegreeOfFreedom*> translations;
+  std::vector<const DegreeOfFreedom*> rotations;
+  std::vector<const DegreeOfFreedom*> lengths;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    switch (dof.kind) {
+      case DofKind::Translation:
+        translations.push_back(&dof);
+        break;
+      case DofKind::Rotation:
+        rotations.insert(rotations.begin(), &dof);
+        break;
+      case DofKind::TailTranslation:
+        lengths.push_back(&dof);
+        break;
+      case DofKind::Free:
+      case DofKind::TailScale:
+        return fail(not_expressible(joint, "moves freely or is scaled"));
+    }
+    if (dof.rest != 0) return fail(not_expressible(joint, "rests at another value than 0"));
+  }
+  if (translations.size() > 3 || rotations.size() > 3 || lengths.size() > 1) {
+    return fail(not_expressible(joint, "has more than three movements of a kind"));
+  }
+  std::vector<Worded> worded;
+  add_words(skeleton, translations, DofWord::Tx, worded);
+  for (const DegreeOfFreedom* dof : lengths) worded.push_back({dof, DofWord::Length});
+  add_words(skeleton, rotations, DofWord::Rx, worded);
+  return worded;
+}
+
+/// The axes that a bone's words stand for, as a rotation from x, y and z, as far as its degrees of
+/// freedom tell; nothing if they are not at right angles or make a mirror image.
+std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
+  Mat3 axes = Mat3::Zero();
+  for (const Worded& one : worded) {
+    if (one.word == DofWord::Length) continue;
+    auto column = axes.col(static_cast<Eigen::Index>(axis_of(one.word)));
+    if (column.squaredNorm() > 0 && column != one.dof->axis) return std::nullopt;
+    column = one.dof->axis;
+  }
+  for (Eigen::Index k = 0; k < 3; ++k) {  // two that are known give the third
+    const Eigen::Index next = (k + 1) % 3;
+    const Eigen::Index last = (k + 2) % 3;
+    const bool is_missing = axes.col(k).squaredNorm() == 0;
+    const bool has_others = axes.col(next).squaredNorm() > 0 && axes.col(last).squaredNorm() > 0;
+    if (is_missing && has_others) axes.col(k) = axes.col(next).cross(axes.col(last)).normalized();
+  }
+  for (Eigen::Index k = 0; k < 3; ++k) {  // one that is known: any turn that brings it there
+    if (axes.col(k).squaredNorm() == 0 || axes.col((k + 1) % 3).squaredNorm() > 0) continue;
+    axes = Quat::FromTwoVectors(Vec3::Unit(k), axes.col(k)).toRotationMatrix();
+    break;
+  }
+  if (axes.isZero()) return Mat3::Identity();
+  const bool is_rotation =
+      (axes.transpose() * axes).isIdentity(kSquareTolerance) && axes.determinant() > 0;
+  return is_rotation ? std::optional(axes) : std::nullopt;
+}
+
+Orientation orientation_of(const Mat3& rotation, AngleUnit unit) {
+  const Vec3 angles = euler_angles(rotation, {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()});
+  const double scale = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
+  return {{angles[2] / scale, angles[1] / scale, angles[0] / scale}, {0, 1, 2}};
+}
+
+/// Whether an orientation gives all degrees of freedom their axes, bit for bit.
+bool says_axes(const Orientation& axis, const std::vector<Worded>& worded, AngleUnit unit) {
+  const Mat3 axes = rotation_of(axis, unit);
+  return std::all_of(worded.begin(), worded.end(), [&axes](const Worded& one) {
+    return one.word == DofWord::Length ||
+           Vec3(axes * Vec3::Unit(static_cast<Eigen::Index>(axis_of(one.word)))) == one.dof->axis;
+  });
+}
+
+void set_end(Bone& bone, const Vec3& end) {
+  if (end_of(bone) == end) return;
+  bone.length = end.norm();
+  const Vec3 direction = bone.length > 0 ? Vec3(end / bone.length) : Vec3::UnitY();
+  bone.direction = {direction[0], direction[1], direction[2]};
+}
+
+std::vector<DofWord> dofs_of(const std::vector<Worded>& worded) {
+  std::vector<DofWord> dofs;
+  for (const Worded& one : worded) dofs.push_back(one.word);
+  return dofs;
+}
+
+std::vector<std::size_t> columns_of(const std::vector<Worded>& worded) {
+  std::vector<std::size_t> columns;
+  for (const Worded& one : worded) columns.push_back(one.dof->coordinate);
+  return columns;
+}
+
+/// Puts the words into the order of their columns where both orders make the same rotation: where
+/// the rotations stand in the same order in both.
+void order_by_columns(std::vector<Worded>& worded) {
+  std::vector<Worded> sorted = worded;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Worded& a, const Worded& b) {
+    return a.dof->coordinate < b.dof->coordinate;
+  });
+  const auto rotations = [](const std::vector<Worded>& all) {
+    std::vector<DofWord> words;
+    for (const Worded& one : all) {
+      if (is_rotation(one.word)) words.push_back(one.word);
+    }
+    return words;
+  };
+  if (rotations(sorted) == rotations(worded)) worded = std::move(sorted);
+}
+
+Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extras& extras,
+                         AngleUnit unit, std::vector<std::size_t>& columns) {
+  const Joint& joint = skeleton.joints[index];
+  if (!is_writable_name(joint.name)) {
+    return fail(not_expressible(joint, "has a name that is no word of its own"));
+  }
+  const Joint* parent = joint.parent == kNoParent ? nullptr : &skeleton.joints[joint.parent];
+  if (parent == nullptr) return fail(not_expressible(joint, "is a second root"));
+  const Vec3 start =
+      joint.parent == 0 || parent->tips.empty() ? Vec3(Vec3::Zero()) : parent->tips.front().offset;
+  if (joint.offset != start) return fail(not_expressible(joint, "does not sit where a bone ends"));
+  if (joint.tips.size() != 1) return fail(not_expressible(joint, "has no end, or several"));
+  if (!joint.rest_rotation.isApprox(Quat::Identity(), 0)) {
+    return fail(not_expressible(joint, "is turned in its rest pose"));
+  }
+  auto worded = words_of(skeleton, joint);
+  if (!worded) return fail(std::move(worded.error()));
+  order_by_columns(*worded);
+
+  const auto words = extras.joints.find(joint.name);
+  Bone bone = words == extras.joints.end() ? Bone{} : bone_of_extras(joint.name, words->second);
+  bone.name = joint.name;
+  const Vec3 end = joint.tips.front().offset;
+  set_end(bone, end);
+  if (!says_axes(bone.axis, *worded, unit)) {
+    const auto axes = axes_of(*worded);
+    if (!axes) return fail(not_expressible(joint, "moves about axes that are not at right angles"));
+    bone.axis = orientation_of(*axes, unit);
+  }
+  for (const Worded& one : *worded) {
+    const bool is_along = one.word != DofWord::Length || end.norm() == 0 ||
+                          one.dof->axis.isApprox(end.normalized(), kSquareTolerance);
+    if (!is_along) return fail(not_expressible(joint, "grows along another line than its bone"));
+  }
+  const std::vector<DofWord> dofs = dofs_of(*worded);
+  if (bone.dofs != dofs) {
+    if (!bone.dofs.empty() && bone.dofs.size() != dofs.size()) bone.limits.clear();
+    bone.dofs = dofs;
+  }
+  columns = columns_of(*worded);
+  return bone;
+}
+
+Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit unit,
+                         std::vector<std::size_t>& columns) {
+  const Joint& joint = skeleton.joints.front();
+  if (joint.name != "root") return fail(not_expressible(joint, "is the root under this name"));
+  if (!joint.tips.empty()) return fail(not_expressible(joint, "has an end, though it is the root"));
+  auto worded = words_of(skeleton, joint);
+  if (!worded) return fail(std::move(worded.error()));
+  order_by_columns(*worded);
+  Root root;
+  root.position = {joint.offset[0], joint.offset[1], joint.offset[2]};
+  root.order = dofs_of(*worded);
+  root.orientation = kept.orientation;
+  const Mat3 rest = joint.rest_rotation.toRotationMatrix();
+  if (Quat(rotation_of(kept.orientation, unit)).coeffs() != joint.rest_rotation.coeffs()) {
+    root.orientation = orientation_of(rest, unit);
+  }
+  for (const Worded& one : *worded) {
+    const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(axis_of(one.word)));
+    const Vec3 stated = is_rotation(one.word) ? axis : Vec3(rest.transpose() * axis);
+    if (one.word == DofWord::Length || !one.dof->axis.isApprox(stated, kSquareTolerance)) {
+      return fail(not_expressible(joint, "moves about or along other axes than x, y and z"));
+    }
+  }
+  columns = columns_of(*worded);
+  return root;
+}
+
+/// Whether every bone's words are what :FORCE-ALL-JOINTS-BE-3DOF makes of the words that its file
+/// had; then those are put back.
+bool restore_forced(Unbound& unbound, const Skeleton& skeleton, const Extras& extras,
+                    const std::vector<std::size_t>& joint_of_bone) {
+  if (extras.file.count("force_3dof") == 0) return false;
+  std::vector<Bone> bones = unbound.file.bones;
+  auto columns = unbound.columns;
+  for (std::size_t b = 0; b < bones.size(); ++b) {
+    const auto words = extras.joints.find(bones[b].name);
+    if (words == extras.joints.end()) return false;
+    const Bone kept = bone_of_extras(bones[b].name, words->second);
+    AsfFile alone;
+    alone.bones.push_back(bones[b]);
+    alone.bones[0].parent = kNoParent;
+    alone.bones[0].dofs = kept.dofs;
+    alone.angle = unbound.file.angle;
+    const Skeleton forced = bind(alone, {true, 1.0});
+    const Joint& joint = skeleton.joints[joint_of_bone[b]];
+    const Joint& again = forced.joints[1];
+    if (again.dofs.size() != joint.dofs.size()) return false;
+    columns[b + 1].assign(forced.coordinates.size(), 0);
+    for (std::size_t d = 0; d < joint.dofs.size(); ++d) {
+      if (again.dofs[d].kind != joint.dofs[d].kind) return false;
+      if (!again.dofs[d].axis.isApprox(joint.dofs[d].axis, kSquareTolerance)) return false;
+      columns[b + 1][again.dofs[d].coordinate] = joint.dofs[d].coordinate;
+    }
+    bones[b].dofs = kept.dofs;
+    bones[b].limits = kept.limits;
+  }
+  unbound.file.bones = std::move(bones);
+  unbound.columns = std::move(columns);
+  return true;
+}
+
+/// Whether every column is read by a joint, so that no values are lost.
+std::optional<Error> unread_column(const Skeleton& skeleton, const Unbound& unbound) {
+  std::vector<bool> is_read(skeleton.coordinates.size(), false);
+  for (const auto& columns : unbound.columns) {
+    for (const std::size_t c : columns) is_read[c] = true;
+  }
+  for (std::size_t c = 0; c < is_read.size(); ++c) {
+    if (is_read[c]) continue;
+    const Coordinate& column = skeleton.coordinates[c];
+    return not_expressible(skeleton.joints[column.joint],
+                           fmt::format("has a column '{}' that moves nothing", column.channel));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
+  if (skeleton.joints.empty()) {
+    return fail(make_error(ErrorKind::DataLoss, code::kNotExpressible,
+                           "ASF cannot say that a skeleton has no joints"));
+  }
+  Unbound unbound;
+  unbound.file = asf_of_extras(extras);
+  unbound.file.name = skeleton.name;
+  if (!unbound.file.angle) unbound.file.angle = skeleton.angle_unit;
+  const AngleUnit unit = *unbound.file.angle;
+  if (!unbound.file.length && skeleton.metres_per_unit > 0) {
+    constexpr double kMetresPerInch = 0.0254;
+    const double length = kMetresPerInch / skeleton.metres_per_unit;
+    if (length != 1) unbound.file.length = length;
+  }
+  unbound.columns.emplace_back();
+  auto root = unbind_root(skeleton, unbound.file.root, unit, unbound.columns.back());
+  if (!root) return fail(std::move(root.error()));
+  unbound.file.root = std::move(*root);
+
+  std::set<std::string> names;
+  std::vector<std::size_t> joint_of_bone;
+  for (std::size_t j = 1; j < skeleton.joints.size(); ++j) {
+    unbound.columns.emplace_back();
+    auto bone = unbind_bone(skeleton, j, extras, unit, unbound.columns.back());
+    if (!bone) return fail(std::move(bone.error()));
+    bone->parent = skeleton.joints[j].parent == 0 ? kNoParent : skeleton.joints[j].parent - 1;
+    if (!names.insert(text::lowered(bone->name)).second) {
+      return fail(not_expressible(skeleton.joints[j], "has a name that another one has, too"));
+    }
+    joint_of_bone.push_back(j);
+    unbound.file.bones.push_back(std::move(*bone));
+  }
+  if (auto unread = unread_column(skeleton, unbound)) return fail(std::move(*unread));
+  unbound.forces_3dof = restore_forced(unbound, skeleton, extras, joint_of_bone);
+  return unbound;
+}
+
+}  // namespace kinefile::acclaim

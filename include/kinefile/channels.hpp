@@ -26,7 +26,8 @@ enum class PositionChannels {
 
 struct ChannelOptions {
   std::optional<RotationOrder> order =
-      std::nullopt;  ///< absent: each joint's own, or ZXY where it has none
+      std::nullopt;  ///< absent: each joint's own, or `usual_order` where it has none
+  RotationOrder usual_order = {2, 0, 1};
   PositionChannels positions = PositionChannels::AsIs;
   bool adds_positions = false;  ///< new position channels are added to offsets, not in their place;
                                 ///< as the motion's own are, if it has any that tell
@@ -36,10 +37,12 @@ struct ChannelOptions {
 /// Gives a motion other channels for the same movement: the world stays as it is.
 /// Joints whose rotations have the order already keep every bit; the others' angles are found
 /// anew, each nearest to the frame before, so that curves stay continuous. With `AsIs`, a joint
-/// with one rotation, or with some in the order's sequence, keeps them.
+/// with one rotation, or with some in the order's sequence, keeps them. Joints that turn about or
+/// move along other axes than x, y and z, or share columns, get rotations and positions of their
+/// own about and along these.
 /// A joint that loses its position channels gets them into its offset where they do not change.
 /// \errors EDT001 (DataLoss) if they do change, and not `lenient`;
-///         EDT002 (Usage) for a joint that moves freely or about other axes than x, y and z
+///         EDT002 (Usage) for a joint that moves freely
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics);
 

@@ -60,8 +60,9 @@ struct ReadOptions {
 /// How to write a file.
 struct WriteOptions {
   std::optional<int> decimals =
-      std::nullopt;            ///< digits after the point; absent: the shortest exact form
-  std::string companion = {};  ///< the name of the file that is written beside this one
+      std::nullopt;              ///< digits after the point; absent: the shortest exact form
+  bool writes_companion = true;  ///< whether `write_file` writes the companion, too
+  std::string companion = {};    ///< its name, where it does
 };
 
 /// Takes the next piece of the output; returns false to stop.

@@ -61,7 +61,8 @@ class OutputFile {
   std::unique_ptr<State> state_;
 };
 
-/// Writes a document to a file, whole or not at all.
+/// Writes a document to a file, whole or not at all; and its companion of the same name beside it,
+/// if its format has one (the skeleton of an AMC file), but not for standard output.
 /// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics);

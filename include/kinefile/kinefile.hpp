@@ -4,9 +4,11 @@
 /// The whole public interface of kinefile.
 
 #include "kinefile/anomalies.hpp"
+#include "kinefile/bridge.hpp"
 #include "kinefile/channels.hpp"
 #include "kinefile/clip.hpp"
 #include "kinefile/compare.hpp"
+#include "kinefile/convert.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/edit.hpp"

@@ -27,10 +27,10 @@ bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOr
 
 /// A column of the new clip.
 struct NewColumn {
-  enum class From { Column, Constant, Angle } from = From::Column;
+  enum class From { Column, Constant, Angle, Position } from = From::Column;
   std::size_t column = 0;  ///< of the old clip
   double constant = 0;
-  std::size_t angle = 0;  ///< which of the joint's three new angles
+  std::size_t component = 0;  ///< which of the joint's three new angles, or positions
 };
 
 /// How one joint's channels are made from its old ones.
@@ -41,6 +41,7 @@ struct JointChange {
   Vec3 offset = Vec3::Zero();
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
+  std::vector<DegreeOfFreedom> old_translations;  ///< where there are new positions
   EulerAxes axes;
 };
 
@@ -50,6 +51,7 @@ struct Context {
   Diagnostics& diagnostics;
   bool adds_positions = false;
   std::vector<std::vector<std::size_t>> columns_of_joint = {};
+  std::vector<std::size_t> num_readers = {};  ///< of every column
 };
 
 /// The one value that a column has in every frame, bit for bit, if it does not change.
@@ -81,7 +83,7 @@ Result<void> drop_positions(const Context& context, const Joint& joint, JointCha
       Error error = make_error(
           ErrorKind::DataLoss, "EDT001",
           fmt::format("joint '{}' moves along {}, which is lost without its position channels",
-                      joint.name, "xyz"[*axis_of(dof)]));
+                      joint.name, context.motion.skeleton.coordinates[dof.coordinate].channel));
       if (!context.options.lenient) return fail(std::move(error));
       error.severity = Severity::Warning;
       error.message += "; its rest position is taken";
@@ -111,10 +113,44 @@ void complete_positions(const Context& context, const Joint& joint, JointChange&
   }
 }
 
+/// Whether a degree of freedom has a column of its own, and x, y or z for its axis.
+bool is_plain(const Context& context, std::size_t joint_index, const DegreeOfFreedom& dof) {
+  const bool is_own = context.num_readers[dof.coordinate] == 1 &&
+                      context.motion.skeleton.coordinates[dof.coordinate].joint == joint_index;
+  return is_own && axis_of(dof).has_value();
+}
+
+bool are_plain(const Context& context, std::size_t joint_index, DofKind kind) {
+  const std::vector<DegreeOfFreedom>& dofs = context.motion.skeleton.joints[joint_index].dofs;
+  return std::all_of(dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& dof) {
+    return dof.kind != kind || is_plain(context, joint_index, dof);
+  });
+}
+
+/// Gives a joint positions along x, y and z for those that it has along other axes, or from
+/// columns that others read, too.
+void replace_positions(const Context& context, const Joint& joint, JointChange& change) {
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind == DofKind::Translation) change.old_translations.push_back(dof);
+  }
+  Vec3 rest = Vec3::Zero();
+  for (const DegreeOfFreedom& dof : change.old_translations) rest += dof.rest * dof.axis;
+  if (!context.adds_positions) {
+    // What stands in the offset's place counts from where the offset counts from.
+    rest += joint.rest_rotation.conjugate() * std::exchange(change.offset, Vec3::Zero());
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    add_column(change, {NewColumn::From::Position, 0, 0, k}, channel_name(DofKind::Translation, k),
+               DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, rest[axis]});
+  }
+}
+
 /// Adds three rotations: the joint's own where they are in order, else angles to be found.
-void add_rotations(const Joint& joint, const RotationOrder& order, JointChange& change) {
+void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept,
+                   JointChange& change) {
   change.old_rotations = rotations_of(joint);
-  const bool is_kept = is_in_order(change.old_rotations, order);
+  const bool is_kept = are_kept && is_in_order(change.old_rotations, order);
   change.has_new_angles = !is_kept;
   std::size_t next_old = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -171,6 +207,9 @@ JointChange unchanged(const Context& context, std::size_t joint_index) {
 std::optional<RotationOrder> own_order(const Joint& joint) {
   const auto rotations = rotations_of(joint);
   if (rotations.size() != 3) return std::nullopt;
+  for (const DegreeOfFreedom& dof : rotations) {
+    if (!axis_of(dof)) return std::nullopt;
+  }
   const RotationOrder order = {*axis_of(rotations[0]), *axis_of(rotations[1]),
                                *axis_of(rotations[2])};
   if (order[0] == order[1] || order[1] == order[2]) return std::nullopt;
@@ -181,16 +220,21 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   const Joint& joint = context.motion.skeleton.joints[joint_index];
   const PositionChannels positions = context.options.positions;
   const bool is_as_is = positions == PositionChannels::AsIs;
-  constexpr RotationOrder kUsual = {2, 0, 1};
-  const RotationOrder order = context.options.order.value_or(own_order(joint).value_or(kUsual));
+  const RotationOrder order =
+      context.options.order.value_or(own_order(joint).value_or(context.options.usual_order));
   const auto rotations = rotations_of(joint);
-  if (is_as_is && (rotations.size() <= 1 || is_in_order(rotations, order))) {
-    return unchanged(context, joint_index);
-  }
+  const bool has_plain_rotations = are_plain(context, joint_index, DofKind::Rotation);
+  const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation);
+  const bool keeps_rotations =
+      has_plain_rotations &&
+      (rotations.size() <= 1 || !context.options.order || is_in_order(rotations, order));
+  if (is_as_is && keeps_rotations && has_plain_positions) return unchanged(context, joint_index);
   JointChange change;
   change.offset = joint.offset;
   const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
-  if (is_as_is) {
+  if (!has_plain_positions && (is_as_is || has_positions)) {
+    replace_positions(context, joint, change);
+  } else if (is_as_is) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::Translation) continue;
       add_column(change, {NewColumn::From::Column, dof.coordinate, 0, 0},
@@ -201,43 +245,63 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   } else if (auto dropped = drop_positions(context, joint, change); !dropped) {
     return fail(std::move(dropped.error()));
   }
-  add_rotations(joint, order, change);
+  if (is_as_is && rotations.empty()) {
+    keep_others(context, joint_index, change);
+    return change;
+  }
+  add_rotations(joint, order, has_plain_rotations, change);
   keep_others(context, joint_index, change);
   return change;
 }
 
-void fill_columns(const Motion& source, const JointChange& change, std::size_t first_column,
-                  Clip& out) {
+/// The sum of a joint's old translations in a row, on top of what its offset was.
+Vec3 position_in_row(const JointChange& change, Vec3 base, std::span<const double> row) {
+  for (const DegreeOfFreedom& dof : change.old_translations) base += row[dof.coordinate] * dof.axis;
+  return base;
+}
+
+void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
+                  std::size_t first_column, Clip& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
   const double radians_per_unit = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
   Vec3 angles = Vec3::Zero();
   Vec3 near = angles;  // the last that were finite
+  // What the joint's offset gave up to its positions.
+  const Joint& joint = source.skeleton.joints[joint_index];
+  const Vec3 base = joint.rest_rotation.conjugate() * (joint.offset - change.offset);
   for (std::size_t f = 0; f < source.clip.num_frames; ++f) {
     const auto row = source.clip.row(f);
     if (change.has_new_angles) {
       if (angles.allFinite()) near = angles;
       angles = euler_angles(rotation_in_row(change.old_rotations, row, unit), change.axes, near);
     }
+    const Vec3 position = position_in_row(change, base, row);
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const NewColumn& column = change.columns[c];
       double& value = out.row(f)[first_column + c];
       if (column.from == NewColumn::From::Column) value = row[column.column];
       if (column.from == NewColumn::From::Constant) value = column.constant;
       if (column.from == NewColumn::From::Angle) {
-        value = angles[static_cast<Eigen::Index>(column.angle)] / radians_per_unit;
+        value = angles[static_cast<Eigen::Index>(column.component)] / radians_per_unit;
+      }
+      if (column.from == NewColumn::From::Position) {
+        value = position[static_cast<Eigen::Index>(column.component)];
       }
     }
   }
 }
 
-/// What keeps a joint from being given other channels, or an empty text.
-std::string_view obstacle_of(const Skeleton& skeleton, std::size_t joint_index) {
-  for (const DegreeOfFreedom& dof : skeleton.joints[joint_index].dofs) {
-    if (dof.kind == DofKind::Free) return "moves freely";
-    if (!axis_of(dof)) return "moves about an axis other than x, y and z";
-    if (skeleton.coordinates[dof.coordinate].joint != joint_index) return "shares a column";
+bool moves_freely(const Joint& joint) {
+  return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
+}
+
+/// How many degrees of freedom read each column.
+std::vector<std::size_t> count_readers(const Skeleton& skeleton) {
+  std::vector<std::size_t> count(skeleton.coordinates.size(), 0);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) ++count[dof.coordinate];
   }
-  return {};
+  return count;
 }
 
 }  // namespace
@@ -256,19 +320,23 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const Context context{motion, options, diagnostics,
+  const Context context{motion,
+                        options,
+                        diagnostics,
                         options.adds_positions || adds_positions(motion.skeleton),
-                        columns_of_joints(motion.skeleton)};
+                        columns_of_joints(motion.skeleton),
+                        count_readers(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();
   std::vector<JointChange> changes;
   std::vector<std::size_t> first_columns;
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    if (const auto obstacle = obstacle_of(motion.skeleton, j); !obstacle.empty()) {
-      return fail(make_error(ErrorKind::Usage, "EDT002",
-                             fmt::format("joint '{}' {}, so it cannot be given other channels",
-                                         motion.skeleton.joints[j].name, obstacle)));
+    if (moves_freely(motion.skeleton.joints[j])) {
+      return fail(
+          make_error(ErrorKind::Usage, "EDT002",
+                     fmt::format("joint '{}' moves freely, so it cannot be given other channels",
+                                 motion.skeleton.joints[j].name)));
     }
     auto change = plan_change(context, j);
     if (!change) return fail(std::move(change.error()));
@@ -288,7 +356,7 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
   result.clip.num_coordinates = result.skeleton.coordinates.size();
   result.clip.values.resize(result.clip.num_frames * result.clip.num_coordinates);
   for (std::size_t j = 0; j < changes.size(); ++j) {
-    fill_columns(motion, changes[j], first_columns[j], result.clip);
+    fill_columns(motion, j, changes[j], first_columns[j], result.clip);
   }
   return result;
 }

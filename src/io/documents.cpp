@@ -32,6 +32,29 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
   return {};
 }
 
+/// OUT.asf for OUT.amc.
+std::string companion_path(const std::string& path, const Format& format) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
+  const std::size_t dot = path.find_last_of('.');
+  const bool has_extension = dot != std::string::npos && dot > name;
+  return (has_extension ? path.substr(0, dot) : path) + std::string(format.extensions.front());
+}
+
+/// Writes a document to a file that has not come to its name yet.
+Result<OutputFile> write_output(const std::string& path, const Document& document,
+                                const Format& format, const WriteOptions& options, bool replace,
+                                Diagnostics& diagnostics) {
+  auto file = OutputFile::create(path, replace);
+  if (!file) return file;
+  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
+  auto written = format.write(document, options, sink, diagnostics);
+  // A fault of the file says more than that the writer was stopped.
+  if (!written && written.error().kind == ErrorKind::Io) written = file->commit();
+  if (!written) return fail(std::move(written.error()));
+  return file;
+}
+
 }  // namespace
 
 Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
@@ -68,14 +91,23 @@ Result<void> write_file(const std::string& path, const Document& document, const
         ErrorKind::Usage, "FMT002",
         fmt::format("{} is only read, not written; what is written: {}", format.name, writable)));
   }
-  auto file = OutputFile::create(path, replace);
-  if (!file) return fail(file.error());
-  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  const auto written = format.write(document, options, sink, diagnostics);
-  // A fault of the file says more than that the writer was stopped.
-  if (!written && written.error().kind != ErrorKind::Io) return fail(written.error());
-  // Under --strict a warning of the writer is an error, and the file does not come into being.
+  WriteOptions with_companion = options;
+  std::optional<OutputFile> beside;
+  if (!format.companion.empty() && options.writes_companion && path != "-") {
+    const Format& other = *find_format(format.companion);
+    const std::string name = companion_path(path, other);
+    auto written = write_output(name, document, other, options, replace, diagnostics);
+    if (!written) return fail(std::move(written.error()));
+    beside = std::move(*written);
+    with_companion.companion = name.substr(name.find_last_of('/') + 1);
+  }
+  auto file = write_output(path, document, format, with_companion, replace, diagnostics);
+  if (!file) return fail(std::move(file.error()));
+  // Under --strict a warning of a writer is an error, and the file does not come into being.
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  if (beside) {
+    if (auto committed = beside->commit(); !committed) return committed;
+  }
   return file->commit();
 }
 

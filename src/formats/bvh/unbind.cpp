@@ -117,15 +117,19 @@ std::array<double, 3> offset_of(const Joint& joint) {
   return offset;
 }
 
-/// Whether the degrees of freedom of a joint act in the order of its columns, as BVH reads them.
-bool is_in_column_order(const Joint& joint) {
-  std::size_t last = 0;
+/// The columns of a joint in an order in which its rotations act as BVH reads them: as they stand,
+/// but for rotations that stand in another order than they act.
+std::vector<std::size_t> ordered_columns(const Joint& joint, std::vector<std::size_t> columns) {
+  std::vector<std::size_t> rotations;  // the columns of rotations, outermost first
   for (const DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind != DofKind::Rotation) continue;
-    if (dof.coordinate < last) return false;
-    last = dof.coordinate;
+    if (dof.kind == DofKind::Rotation) rotations.push_back(dof.coordinate);
   }
-  return true;
+  auto next = rotations.begin();
+  for (std::size_t& column : columns) {
+    const bool turns = std::find(rotations.begin(), rotations.end(), column) != rotations.end();
+    if (turns) column = *next++;
+  }
+  return columns;
 }
 
 }  // namespace
@@ -139,9 +143,6 @@ Result<Unbound> unbind(const Skeleton& skeleton) {
   std::vector<std::size_t> node_of_joint(skeleton.joints.size());
   for (const std::size_t j : depth_first(skeleton)) {
     const Joint& joint = skeleton.joints[j];
-    if (!is_in_column_order(joint)) {
-      return fail(not_expressible(joint, "turns in another order than its values stand in"));
-    }
     node_of_joint[j] = unbound.file.nodes.size();
     Node node;
     node.name = joint.name;
@@ -150,7 +151,7 @@ Result<Unbound> unbind(const Skeleton& skeleton) {
     for (const Tip& tip : joint.tips) {
       node.end_sites.push_back({tip.name, {tip.offset[0], tip.offset[1], tip.offset[2]}});
     }
-    for (const std::size_t c : columns_of_joint[j]) {
+    for (const std::size_t c : ordered_columns(joint, columns_of_joint[j])) {
       node.channels.push_back(columns[c].channel);
       unbound.column_of.push_back(c);
     }

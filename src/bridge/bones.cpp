@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "kinefile/bridge.hpp"
+
+namespace kinefile {
+namespace {
+
+constexpr char kNoteCode[] = "BRG005";
+
+Error not_bones(const std::string& message) {
+  return make_error(ErrorKind::DataLoss, "BRG003", message);
+}
+
+void tell(Diagnostics& diagnostics, Severity severity, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.code = kNoteCode;
+  diagnostic.message = std::move(message);
+  diagnostics.add(std::move(diagnostic));
+}
+
+/// A list of names for a message, cut after some.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
+  }
+  if (names.size() > kMost) text += fmt::format(" and {} more", names.size() - kMost);
+  return text;
+}
+
+std::string lowered(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+/// A name that is one word, no number and none of the words that bones are written with.
+std::string as_word(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
+      },
+      '_');
+  const std::string lower = lowered(name);
+  const bool is_taken = lower == "root" || lower == "begin" || lower == "end" || lower == "inf" ||
+                        lower == "nan" || lower == "infinity";
+  const bool starts_oddly = name.empty() || std::string_view("0123456789+-.:").find(name.front()) !=
+                                                std::string_view::npos;
+  return is_taken || starts_oddly ? "joint_" + name : name;
+}
+
+/// What becomes of the values of one column.
+struct NewColumn {
+  std::size_t old_column = 0;
+  double minus = 0;
+};
+
+struct Builder {
+  const Motion& motion;
+  Diagnostics& diagnostics;
+  Motion result = {};
+  std::vector<NewColumn> columns = {};
+  std::set<std::string> names = {"root"};    ///< in lower case
+  std::vector<std::size_t> new_of_old = {};  ///< the joint that an old one became
+  std::vector<std::string> added = {};       ///< bones that lead somewhere
+  std::vector<std::string> renamed = {};
+  std::vector<std::string> with_positions = {};     ///< joints other than roots that move so
+  std::vector<std::string> without_positions = {};  ///< and those that could, but never do
+
+  std::vector<Joint>& joints() { return result.skeleton.joints; }
+};
+
+std::string unique_name(Builder& builder, const std::string& wanted) {
+  std::string name = wanted;
+  for (std::size_t n = 2; !builder.names.insert(lowered(name)).second; ++n) {
+    name = fmt::format("{}_{}", wanted, n);
+  }
+  return name;
+}
+
+std::size_t add_joint(Builder& builder, std::string name, std::size_t parent, const Vec3& end) {
+  Joint joint;
+  joint.name = std::move(name);
+  joint.parent = parent;
+  const bool is_on_root = builder.joints()[parent].parent == kNoParent;
+  if (!is_on_root) joint.offset = builder.joints()[parent].tips.front().offset;
+  joint.tips.push_back({"", end});
+  builder.joints().push_back(std::move(joint));
+  return builder.joints().size() - 1;
+}
+
+/// Whether a translation of a joint that is no root ever leaves its rest value.
+bool is_at_rest(const Clip& clip, const DegreeOfFreedom& dof) {
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    if (clip.row(f)[dof.coordinate] != dof.rest) return false;
+  }
+  return true;
+}
+
+/// Gives a new joint the degrees of freedom of an old one, which then rest at 0.
+void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root) {
+  const Joint& old = builder.motion.skeleton.joints[old_index];
+  bool has_moved = false;
+  bool has_rested = false;
+  for (DegreeOfFreedom dof : old.dofs) {
+    NewColumn column{dof.coordinate, 0};
+    const std::string channel = builder.motion.skeleton.coordinates[dof.coordinate].channel;
+    if (dof.kind == DofKind::Translation && !is_root) {
+      const bool rests = is_at_rest(builder.motion.clip, dof);
+      has_moved |= !rests;
+      has_rested |= rests;
+      if (rests) continue;
+      column.minus = dof.rest;
+    }
+    if (dof.kind == DofKind::TailScale) continue;  // it was found not to change anything
+    dof.rest = 0;
+    dof.coordinate = builder.columns.size();
+    builder.columns.push_back(column);
+    builder.result.skeleton.coordinates.push_back({new_index, channel});
+    builder.joints()[new_index].dofs.push_back(dof);
+  }
+  if (has_moved) builder.with_positions.push_back(old.name);
+  if (has_rested && !has_moved) builder.without_positions.push_back(old.name);
+}
+
+/// Where the children of a joint sit, if all of them sit in one place.
+std::optional<Vec3> common_place(const Skeleton& skeleton,
+                                 const std::vector<std::size_t>& children) {
+  if (children.empty()) return std::nullopt;
+  const Vec3 first = rest_offset(skeleton.joints[children.front()]);
+  const bool is_common = std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+    return rest_offset(skeleton.joints[child]) == first;
+  });
+  return is_common ? std::optional(first) : std::nullopt;
+}
+
+/// Where a bone ends: where its children sit, else in its first tip, else in its start.
+Vec3 end_of_bone(const Joint& joint, const std::optional<Vec3>& place, bool has_children) {
+  if (place) return *place;
+  return has_children || joint.tips.empty() ? Vec3(Vec3::Zero()) : joint.tips.front().offset;
+}
+
+void add_tips(Builder& builder, const Joint& old, std::size_t holder, const Vec3& end) {
+  bool is_end_taken = false;
+  for (const Tip& tip : old.tips) {
+    if (tip.offset == end && !std::exchange(is_end_taken, true)) continue;
+    const std::string wanted = tip.name.empty() ? old.name + "_end" : tip.name;
+    const std::string name = unique_name(builder, as_word(wanted));
+    add_joint(builder, name, holder, tip.offset - end);
+    builder.added.push_back(name);
+  }
+}
+
+/// The joint on which a child hangs: its parent's, or a bone that leads to where the child sits.
+std::size_t holder_of_child(Builder& builder, const Joint& child) {
+  const Skeleton& skeleton = builder.motion.skeleton;
+  const Joint& parent = skeleton.joints[child.parent];
+  const std::size_t holder = builder.new_of_old[child.parent];
+  const Joint& bone = builder.joints()[holder];
+  const Vec3 end = bone.parent == kNoParent ? Vec3(Vec3::Zero()) : bone.tips.front().offset;
+  if (rest_offset(child) == end) return holder;
+  const std::string name =
+      unique_name(builder, as_word(fmt::format("{}_to_{}", parent.name, child.name)));
+  builder.added.push_back(name);
+  return add_joint(builder, name, holder, rest_offset(child) - end);
+}
+
+/// Adds the root, and a bone of its old name if it had another one.
+void add_root(Builder& builder, std::size_t old_index, const std::vector<std::size_t>& children) {
+  const Joint& old = builder.motion.skeleton.joints[old_index];
+  Joint root;
+  root.name = "root";
+  root.offset = old.offset;
+  root.rest_rotation = old.rest_rotation;
+  builder.joints().push_back(std::move(root));
+  add_dofs(builder, old_index, 0, true);
+  builder.new_of_old.push_back(0);
+  Vec3 end = Vec3::Zero();
+  if (lowered(old.name) != "root") {
+    end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
+    const std::string name = unique_name(builder, as_word(old.name));
+    builder.new_of_old.back() = add_joint(builder, name, 0, end);
+  }
+  add_tips(builder, old, builder.new_of_old.back(), end);
+}
+
+void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::size_t>& children) {
+  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const std::size_t holder = holder_of_child(builder, old);
+  const Vec3 end =
+      end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
+  const std::string name = unique_name(builder, as_word(old.name));
+  if (name != old.name) builder.renamed.push_back(old.name);
+  const std::size_t index = add_joint(builder, name, holder, end);
+  builder.new_of_old.push_back(index);
+  add_dofs(builder, old_index, index, false);
+  add_tips(builder, old, index, end);
+}
+
+/// What keeps a motion from being one of bones.
+std::optional<Error> obstacle_of(const Motion& motion) {
+  std::size_t num_roots = 0;
+  for (const Joint& joint : motion.skeleton.joints) {
+    num_roots += joint.parent == kNoParent ? 1 : 0;
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Free) {
+        return not_bones(
+            fmt::format("bones turn and move along axes; '{}' moves freely", joint.name));
+      }
+    }
+  }
+  if (num_roots != 1) return not_bones(fmt::format("bones have one root, found {}", num_roots));
+  return std::nullopt;
+}
+
+/// The first joint whose scale changes in the motion.
+std::optional<std::string> scaled_joint(const Motion& motion) {
+  for (const Joint& joint : motion.skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::TailScale && !is_at_rest(motion.clip, dof)) return joint.name;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether the motion is one of bones already.
+bool is_of_bones(const Skeleton& skeleton) {
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.rest != 0 || dof.kind == DofKind::TailScale || dof.kind == DofKind::Free)
+        return false;
+    }
+    if (j == 0) {
+      if (joint.parent != kNoParent || joint.name != "root" || !joint.tips.empty()) return false;
+      continue;
+    }
+    if (joint.parent == kNoParent || joint.tips.size() != 1) return false;
+    const Joint& parent = skeleton.joints[joint.parent];
+    const Vec3 start = joint.parent == 0 ? Vec3(Vec3::Zero()) : parent.tips.front().offset;
+    if (joint.offset != start || as_word(joint.name) != joint.name) return false;
+  }
+  return !skeleton.joints.empty();
+}
+
+void fill_values(Builder& builder) {
+  const Clip& old = builder.motion.clip;
+  Clip& clip = builder.result.clip;
+  clip.timeline = old.timeline;
+  clip.num_frames = old.num_frames;
+  clip.num_coordinates = builder.columns.size();
+  clip.values.resize(clip.num_frames * clip.num_coordinates);
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    for (std::size_t c = 0; c < builder.columns.size(); ++c) {
+      const NewColumn& column = builder.columns[c];
+      const double value = old.row(f)[column.old_column];
+      clip.row(f)[c] = column.minus == 0 ? value : value - column.minus;
+    }
+  }
+}
+
+/// Columns that nothing reads have no place in bones.
+void tell_unread(Builder& builder) {
+  std::vector<bool> is_read(builder.motion.skeleton.coordinates.size(), false);
+  for (const Joint& joint : builder.motion.skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) is_read[dof.coordinate] = true;
+  }
+  const std::vector<std::string> names = column_names(builder.motion.skeleton);
+  for (std::size_t c = 0; c < is_read.size(); ++c) {
+    if (is_read[c]) continue;
+    tell(builder.diagnostics, Severity::Warning,
+         fmt::format("column '{}' moves nothing and is left out", names[c]));
+  }
+}
+
+void tell_changes(Builder& builder) {
+  const auto note = [&builder](Severity severity, const std::vector<std::string>& names,
+                               std::string_view text) {
+    if (names.empty()) return;
+    tell(builder.diagnostics, severity, fmt::format("{}: {}", text, listed(names)));
+  };
+  note(
+      Severity::Note, builder.added,
+      "bones without degrees of freedom lead to joints and tips that do not sit where a bone ends");
+  note(Severity::Warning, builder.renamed, "names that are no words of their own were changed");
+  note(Severity::Note, builder.without_positions,
+       "positions of joints that never leave their offset are left out");
+  note(Severity::Warning, builder.with_positions,
+       "positions of joints other than the root are written as tx ty tz, which few programs read");
+}
+
+}  // namespace
+
+Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics) {
+  if (is_of_bones(motion.skeleton)) return motion;
+  if (auto obstacle = obstacle_of(motion)) return fail(std::move(*obstacle));
+  if (const auto scaled = scaled_joint(motion)) {
+    Error error = not_bones(fmt::format("bones cannot be scaled as '{}' is", *scaled));
+    if (!lenient) return fail(std::move(error));
+    error.severity = Severity::Warning;
+    error.message += "; its scale is left out";
+    diagnostics.add(std::move(error));
+  }
+  Builder builder{motion, diagnostics};
+  builder.result.skeleton.name = motion.skeleton.name;
+  builder.result.skeleton.angle_unit = motion.skeleton.angle_unit;
+  builder.result.skeleton.metres_per_unit = motion.skeleton.metres_per_unit;
+  const auto children = children_of_joints(motion.skeleton);
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    if (motion.skeleton.joints[j].parent == kNoParent) {
+      add_root(builder, j, children[j]);
+    } else {
+      add_bone(builder, j, children[j]);
+    }
+  }
+  fill_values(builder);
+  tell_unread(builder);
+  tell_changes(builder);
+  return std::move(builder.result);
+}
+
+}  // namespace kinefile

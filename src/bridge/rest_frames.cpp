@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/bridge.hpp"
+
+namespace kinefile {
+namespace {
+
+/// Turns a joint's own frame, in which its axes and tips are, and its parent's, in which it sits.
+void turn_frames(Joint& joint, const Mat3& new_from_old, const Mat3& new_from_old_parent) {
+  joint.offset = new_from_old_parent * joint.offset;
+  for (DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Free) dof.axis = (new_from_old * dof.axis).normalized();
+  }
+  for (Tip& tip : joint.tips) tip.offset = new_from_old * tip.offset;
+  joint.rest_rotation = Quat::Identity();
+}
+
+bool moves_along_its_bone(const Joint& joint) {
+  return std::any_of(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::TailTranslation;
+  });
+}
+
+bool is_always_zero(const Clip& clip, std::size_t column) {
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    if (clip.row(f)[column] != 0) return false;
+  }
+  return true;
+}
+
+/// Lets the children of a joint move as its tail does.
+void hand_down(Motion& motion, std::size_t joint_index, const DegreeOfFreedom& tail,
+               const std::vector<std::size_t>& children) {
+  for (const std::size_t child : children) {
+    Joint& below = motion.skeleton.joints[child];
+    DegreeOfFreedom moved = tail;
+    moved.kind = DofKind::Translation;
+    // Translations act behind the rest rotation, so their axes are seen through it.
+    moved.axis = below.rest_rotation.conjugate() * tail.axis;
+    below.dofs.insert(below.dofs.begin(), moved);
+  }
+  auto& dofs = motion.skeleton.joints[joint_index].dofs;
+  dofs.erase(std::find_if(dofs.begin(), dofs.end(), [&tail](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::TailTranslation && dof.coordinate == tail.coordinate;
+  }));
+}
+
+}  // namespace
+
+Result<Motion> with_world_aligned_rest(const Motion& motion) {
+  Motion result = motion;
+  std::vector<Mat3> world_from_rest;
+  std::vector<bool> is_turned;
+  for (Joint& joint : result.skeleton.joints) {
+    const bool has_turned_parent = joint.parent != kNoParent && is_turned[joint.parent];
+    const bool is_rest_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
+    const Mat3 parent = has_turned_parent ? world_from_rest[joint.parent] : Mat3::Identity();
+    const Mat3 own = parent * joint.rest_rotation.toRotationMatrix();
+    world_from_rest.push_back(own);
+    is_turned.push_back(has_turned_parent || is_rest_turned);
+    if (!is_turned.back()) continue;
+    const bool is_free = !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
+    if (is_free) {
+      return fail(make_error(ErrorKind::DataLoss, "BRG001",
+                             fmt::format("joint '{}' moves freely and is turned in its rest pose, "
+                                         "so its values cannot stay as they are",
+                                         joint.name)));
+    }
+    turn_frames(joint, own, parent);
+  }
+  return result;
+}
+
+Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
+                                         Diagnostics& diagnostics) {
+  Motion result = motion;
+  const auto children = children_of_joints(motion.skeleton);
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    const Joint joint = result.skeleton.joints[j];  // a copy: it changes below
+    if (!moves_along_its_bone(joint)) continue;
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::TailTranslation) continue;
+      const bool is_still = is_always_zero(motion.clip, dof.coordinate);
+      const bool moves_tip = !is_still && !joint.tips.empty() && children[j].empty();
+      if (moves_tip) {
+        Error error = make_error(
+            ErrorKind::DataLoss, "BRG002",
+            fmt::format("the bone of joint '{}' changes its length, which moves its tip; --lenient "
+                        "leaves the tip where it is",
+                        joint.name));
+        if (!lenient) return fail(std::move(error));
+        error.severity = Severity::Warning;
+        diagnostics.add(std::move(error));
+      }
+      hand_down(result, j, dof, is_still ? std::vector<std::size_t>{} : children[j]);
+    }
+  }
+  return result;
+}
+
+Motion without_unread_columns(const Motion& motion) {
+  std::vector<bool> is_read(motion.skeleton.coordinates.size(), false);
+  for (const Joint& joint : motion.skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const std::size_t width = dof.kind == DofKind::Free ? 7 : 1;
+      std::fill_n(is_read.begin() + static_cast<std::ptrdiff_t>(dof.coordinate), width, true);
+    }
+  }
+  std::vector<std::size_t> kept;
+  std::vector<std::size_t> new_of_old(is_read.size());
+  for (std::size_t c = 0; c < is_read.size(); ++c) {
+    new_of_old[c] = kept.size();
+    if (is_read[c]) kept.push_back(c);
+  }
+  if (kept.size() == is_read.size()) return motion;
+  Motion result;
+  result.skeleton = motion.skeleton;
+  result.skeleton.coordinates.clear();
+  for (const std::size_t c : kept) {
+    result.skeleton.coordinates.push_back(motion.skeleton.coordinates[c]);
+  }
+  for (Joint& joint : result.skeleton.joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
+  }
+  result.clip.timeline = motion.clip.timeline;
+  result.clip.num_frames = motion.clip.num_frames;
+  result.clip.num_coordinates = kept.size();
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    for (const std::size_t c : kept) result.clip.values.push_back(motion.clip.row(f)[c]);
+  }
+  return result;
+}
+
+Motion without_inner_tips(const Motion& motion) {
+  Motion result = motion;
+  const auto children = children_of_joints(motion.skeleton);
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    std::vector<Tip>& tips = result.skeleton.joints[j].tips;
+    const auto is_inner = [&](const Tip& tip) {
+      return std::any_of(children[j].begin(), children[j].end(), [&](std::size_t child) {
+        return motion.skeleton.joints[child].offset == tip.offset;
+      });
+    };
+    tips.erase(std::remove_if(tips.begin(), tips.end(), is_inner), tips.end());
+  }
+  return result;
+}
+
+}  // namespace kinefile

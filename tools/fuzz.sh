@@ -23,11 +23,16 @@ run_target() {
   fi
 }
 
-run_target bvh_read_fuzz bvh &
-first=$!
-run_target bvh_round_trip_fuzz bvh &
-second=$!
 failed=0
-wait $first || failed=1
-wait $second || failed=1
+run_pair() {
+  run_target "$1" "$2" &
+  first=$!
+  run_target "$3" "$4" &
+  second=$!
+  wait $first || failed=1
+  wait $second || failed=1
+}
+
+run_pair bvh_read_fuzz bvh bvh_round_trip_fuzz bvh
+run_pair asf_read_fuzz acclaim amc_read_fuzz acclaim
 exit $failed

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "text/numbers.hpp"
+#include "text/scanner.hpp"
 
 namespace kinefile::acclaim {
 namespace {
@@ -24,9 +25,20 @@ void Lexer::skip_in_line() {
 }
 
 std::string_view Lexer::word_here() const {
-  const char* word_end = std::find_if(
-      next_, end_, [](char c) { return is_separator(c) || text::is_line_end(c) || c == '#'; });
-  return view_of(next_, word_end);
+  const char* word_end = next_;
+  while (word_end != end_ && !is_separator(*word_end) && !text::is_line_end(*word_end)) {
+    // Microsoft's C library writes 1.#IND and 1.#INF, which are no comments.
+    if (*word_end == '#' && (word_end == next_ || word_end[-1] != '.')) break;
+    ++word_end;
+  }
+  const std::string_view word = view_of(next_, word_end);
+  // And nan(ind), where the parentheses belong to the word.
+  const bool is_nan = word.size() >= 3 && word.size() <= 4 &&
+                      text::equals_ignoring_case(word.substr(word.size() - 3), "nan");
+  if (!is_nan || word_end == end_ || *word_end != '(') return word;
+  const char* close = std::find_if(
+      word_end, end_, [](char c) { return c == ')' || text::is_blank(c) || text::is_line_end(c); });
+  return close != end_ && *close == ')' ? view_of(next_, close + 1) : word;
 }
 
 std::string_view Lexer::peek() {

@@ -249,6 +249,7 @@ std::vector<bool> parse_hierarchy(Parser& parser, AsfFile& file) {
     parser.error(begin.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord,
                  fmt::format("expected begin after :hierarchy, found {}", quoted(begin)),
                  begin.data());
+    parser.lexer.take_lines_to_keyword();
     return has_parent;
   }
   parser.lexer.take();

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// What is written reads back: bit for bit for files of its own, joint by joint for others.
+
+#include <cstring>
+
+#include "formats/acclaim/arm.hpp"
+#include "kinefile/kinefile.hpp"
+#include "walk.hpp"
+
+namespace kinefile::test {
+namespace {
+
+const std::string kFrames = ":DEGREES\n1\nroot 1 2 3 4 5 6\nb 7 8\n2\nroot 1 2 3 4 5 6\nb 9 10\n";
+
+Document read_document(const std::string& text, const std::string& skeleton) {
+  const ReadText read = read_acclaim("amc", text, skeleton);
+  EXPECT_TRUE(read.document) << text_of(read.diagnostics);
+  return read.document.value_or(Document{});
+}
+
+Document adapted(Document document, const std::string& format, Diagnostics& diagnostics) {
+  auto result = adapted_to(*find_format(format), std::move(document), false, diagnostics);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? std::move(*result) : Document{};
+}
+
+/// Reads back what a document is written as.
+Document written_and_read(const Document& document) {
+  return read_document(write_to_string(document, "amc"), write_to_string(document, "asf"));
+}
+
+double largest_distance(const Document& a, const Document& b) {
+  const MotionComparison comparison =
+      compare_motions(std::get<Motion>(a.content), std::get<Motion>(b.content));
+  EXPECT_TRUE(comparison.only_in_first.empty());
+  return std::max(comparison.distance.value, comparison.tip_distance.value);
+}
+
+TEST(AcclaimWrite, KeepsWhatTheFileSaid) {
+  std::string skeleton = asf_with(
+      "axis 0 0 30 ZXY\ndof rx rz\nlimits (-inf 20)\n(-7 7)\nbodymass 3\ncofmass 0.5\nweight 5\n");
+  skeleton = "# made by hand\n" + skeleton + ":skin\n  a.skin\n:colour\n  red\n";
+  const std::string text =
+      "# note\n:FULLY-SPECIFIED\n:COLOUR blue\n:SAMPLES-PER-SECOND 59.94\n" + kFrames;
+  const Document document = read_document(text, skeleton);
+  const std::string asf = write_to_string(document, "asf");
+  const std::string amc = write_to_string(document, "amc");
+  for (const std::string word :
+       {"# made by hand\n", "limits (-inf 20)\n", "bodymass 3\n", "cofmass 0.5\n", "weight 5\n",
+        ":skin\n  a.skin\n", ":colour\n  red\n", "axis 0 0 30 ZXY\n", "length 0.45\n"}) {
+    EXPECT_NE(asf.find(word), std::string::npos) << word << asf;
+  }
+  for (const std::string word : {"# note\n", ":COLOUR blue\n", ":SAMPLES-PER-SECOND 59.94\n"}) {
+    EXPECT_NE(amc.find(word), std::string::npos) << word << amc;
+  }
+  const Document again = read_document(amc, asf);
+  EXPECT_EQ(write_to_string(again, "asf"), asf);
+  EXPECT_EQ(write_to_string(again, "amc"), amc);
+}
+
+TEST(AcclaimWrite, AnAssumedRateIsNotPutIntoTheFilesMouth) {
+  Document document = read_document(kFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
+  EXPECT_EQ(write_to_string(document, "amc").find("SAMPLES"), std::string::npos);
+  std::get<Motion>(document.content).clip.timeline.value = 60;
+  EXPECT_NE(write_to_string(document, "amc").find(":SAMPLES-PER-SECOND 60\n"), std::string::npos);
+}
+
+TEST(AcclaimWrite, ForcedBonesKeepTheirHeaderAndTheirWords) {
+  const std::string text = ":DEGREES\n:FORCE-ALL-JOINTS-BE-3DOF\n1\nroot 0 0 0 0 0 0\nb 10 20 30\n";
+  const Document document = read_document(text, asf_with("axis 0 0 30 XYZ\ndof ry\n"));
+  const std::string asf = write_to_string(document, "asf");
+  const std::string amc = write_to_string(document, "amc");
+  EXPECT_NE(asf.find("dof ry\n"), std::string::npos) << asf;
+  EXPECT_NE(amc.find(":FORCE-ALL-JOINTS-BE-3DOF\n"), std::string::npos);
+  EXPECT_NE(amc.find("b 10 20 30\n"), std::string::npos) << amc;
+}
+
+TEST(AcclaimWrite, SkeletonsThatAreNoBonesAreRefusedWithTheReason) {
+  const ReadText bvh = read_bvh(bvh_with_rows({"0 0 0 0 0 0 1 2 3"}));
+  Diagnostics diagnostics;
+  const auto refused = find_format("asf")->write(
+      *bvh.document, {}, [](std::string_view) { return true; }, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "ASF020");
+  Document skeleton;
+  skeleton.content = Skeleton{};
+  const auto alone = find_format("amc")->write(
+      skeleton, {}, [](std::string_view) { return true; }, diagnostics);
+  ASSERT_FALSE(alone);
+  EXPECT_EQ(alone.error().code, "AMC017");
+}
+
+TEST(AcclaimConvert, TheWalkBecomesBonesAndAHierarchyAgain) {
+  Document walk;
+  walk.content = examples::make_walk({.num_frames = 30});
+  Diagnostics diagnostics;
+  const Document bones = adapted(walk, "amc", diagnostics);
+  EXPECT_EQ(diagnostics.count(Severity::Warning), 0u) << text_of(diagnostics);
+  const Document back = written_and_read(bones);
+  EXPECT_LE(largest_distance(walk, back), 1e-11);
+  const Document hierarchy = adapted(back, "bvh", diagnostics);
+  const ReadText bvh = read_bvh(write_to_string(hierarchy, "bvh"));
+  ASSERT_TRUE(bvh.document) << text_of(bvh.diagnostics);
+  EXPECT_LE(largest_distance(walk, *bvh.document), 1e-11);
+}
+
+TEST(AcclaimConvert, ValuesThatNeedNoArithmeticKeepTheirBits) {
+  Document walk;
+  walk.content = examples::make_walk({.num_frames = 5});
+  Diagnostics diagnostics;
+  const Document bones = adapted(walk, "amc", diagnostics);
+  const Motion& a = std::get<Motion>(walk.content);
+  const Motion& b = std::get<Motion>(bones.content);
+  ASSERT_EQ(a.clip.num_coordinates, b.clip.num_coordinates);
+  EXPECT_EQ(std::memcmp(a.clip.values.data(), b.clip.values.data(),
+                        a.clip.values.size() * sizeof(double)),
+            0);
+}
+
+TEST(AcclaimConvert, ABoneThatGrowsMovesItsChildren) {
+  // b is 2 long and grows by 1.5 along y; its child c is 1 long along x.
+  const std::string skeleton =
+      ":version 1.10\n:root\norder TX TY TZ RX RY RZ\naxis XYZ\n:bonedata\n"
+      "begin id 1 name b direction 0 1 0 length 2 axis 0 0 0 XYZ dof l rz end\n"
+      "begin id 2 name c direction 1 0 0 length 1 axis 0 0 0 XYZ dof rz end\n"
+      ":hierarchy\nbegin\nroot b\nb c\nend\n";
+  const Document document = read_document(
+      ":DEGREES\n1\nroot 0 0 0 0 0 0\nb 1.5 90\nc 10\n2\nroot 0 0 0 0 0 0\nb -1 30\nc 20\n",
+      skeleton);
+  Diagnostics diagnostics;
+  const Document hierarchy = adapted(document, "bvh", diagnostics);
+  const ReadText bvh = read_bvh(write_to_string(hierarchy, "bvh"));
+  ASSERT_TRUE(bvh.document) << text_of(bvh.diagnostics);
+  EXPECT_LE(compare_motions(std::get<Motion>(document.content), bvh.motion()).distance.value,
+            1e-12);
+}
+
+TEST(AcclaimConvert, PositionsOfOtherJointsThanTheRoot) {
+  // A moves by its channels, around its OFFSET; it becomes tx ty tz, which rest at 0.
+  const std::string text =
+      "HIERARCHY\nROOT r\n{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nJOINT A\n{\n"
+      "OFFSET 1 2 3\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+      "End Site\n{\nOFFSET 0 1 0\n}\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.01\n"
+      "10 20 30 1 2 4 5 6 7\n10 20 30 1.5 2 3 5 6 7\n";
+  const ReadText bvh = read_bvh(text);
+  Diagnostics diagnostics;
+  const Document bones = adapted(*bvh.document, "amc", diagnostics);
+  EXPECT_EQ(diagnostics.count(Severity::Warning), 1u) << text_of(diagnostics);
+  const Document back = written_and_read(bones);
+  EXPECT_LE(largest_distance(*bvh.document, back), 1e-12);
+}
+
+TEST(AcclaimConvert, OntoAnotherSkeletonSaysWhatCannotBe) {
+  const ReadText bvh = read_bvh(bvh_with_rows({"1 2 3 0 0 0 10 20 30"}));
+  const ReadText asf = read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx\n"));
+  Diagnostics diagnostics;
+  const auto refused = onto_skeleton(bvh.motion(), skeleton_of(*asf.document), diagnostics);
+  ASSERT_TRUE(refused);  // the roots belong together whatever their names
+  EXPECT_EQ(diagnostics.count_of("BRG006", Severity::Warning), 2u) << text_of(diagnostics);
+  EXPECT_EQ(refused->clip.row(0)[1], 2);
+}
+
+}  // namespace
+}  // namespace kinefile::test

@@ -30,6 +30,10 @@ Motion reversed(const Motion& motion);
 Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
                         Diagnostics& diagnostics);
 
+/// The axis along which the halves of a skeleton that are paired by name lie apart in the rest
+/// pose, most of all: 0 x, 1 y, 2 z. x where no joints are.
+std::size_t guess_mirror_axis(const Skeleton& skeleton);
+
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
 Motion scaled(const Motion& motion, double factor);
 

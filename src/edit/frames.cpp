@@ -76,8 +76,8 @@ struct QuarterTurn {
   }
 };
 
-/// The same with zeros that have no sign, which files show.
-Vec3 turned_length(const QuarterTurn& turn, const Vec3& v) { return turn(v) + Vec3::Zero(); }
+/// The other way around, with zeros that have no sign.
+Vec3 opposite(const Vec3& axis) { return Vec3::Zero() - axis; }
 
 void negate_column(Clip& clip, std::size_t column) {
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
@@ -99,14 +99,14 @@ void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
 /// that formats which know coordinate axes alone can still say it.
 void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& dof, Motion& motion) {
   const auto old_axis = coordinate_axis(dof.axis);
-  dof.axis = turned_length(turn, dof.axis);
+  dof.axis = opposite(opposite(turn(dof.axis)));
   const bool is_turned_around = coordinate_axis(-dof.axis).has_value();
   // A scale along -y is one along y; a length along the bone stays one.
-  if (is_turned_around && dof.kind == DofKind::TailScale) dof.axis = -dof.axis + Vec3::Zero();
+  if (is_turned_around && dof.kind == DofKind::TailScale) dof.axis = opposite(dof.axis);
   if (is_turned_around && has_own_column &&
       (dof.kind == DofKind::Rotation || dof.kind == DofKind::Translation)) {
-    dof.axis = -dof.axis + Vec3::Zero();
-    dof.rest = 0 - dof.rest;
+    dof.axis = opposite(dof.axis);
+    dof.rest = -dof.rest;
     negate_column(motion.clip, dof.coordinate);
   }
   std::string& channel = motion.skeleton.coordinates[dof.coordinate].channel;
@@ -118,9 +118,9 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
 
 void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers, Joint& joint,
                 Motion& motion) {
-  joint.offset = turned_length(turn, joint.offset);
-  for (Tip& tip : joint.tips) tip.offset = turned_length(turn, tip.offset);
-  joint.rest_rotation.vec() = turned_length(turn, joint.rest_rotation.vec());
+  joint.offset = turn(joint.offset);
+  for (Tip& tip : joint.tips) tip.offset = turn(tip.offset);
+  joint.rest_rotation.vec() = turn(joint.rest_rotation.vec());
   for (DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind == DofKind::Free) {
       turn_free_columns(turn, dof.coordinate, motion.clip);

@@ -120,9 +120,12 @@ void pair_by_place(const Skeleton& skeleton, std::size_t axis, std::vector<std::
   const auto depths = depths_of(skeleton);
   const auto roots = roots_of_joints(skeleton);
   const auto height = [&](std::size_t j) { return places[j][normal] - places[roots[j]][normal]; };
-  for (std::size_t j = 0; j < pairs.size(); ++j) {
-    if (pairs[j] == kNoParent && std::abs(height(j)) <= kInPlane * size) pairs[j] = j;
-  }
+  const auto pair_in_plane = [&](double distance) {
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      if (pairs[j] == kNoParent && std::abs(height(j)) <= distance) pairs[j] = j;
+    }
+  };
+  pair_in_plane(kInPlane * size);
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] != kNoParent) continue;
     Vec3 image = places[j];
@@ -132,6 +135,7 @@ void pair_by_place(const Skeleton& skeleton, std::size_t axis, std::vector<std::
     pairs[j] = other;
     pairs[other] = j;
   }
+  pair_in_plane(kNear * size);  // the spines of measured people are not quite straight
 }
 
 }  // namespace

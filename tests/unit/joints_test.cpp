@@ -78,7 +78,7 @@ TEST(WithJoints, KeepsAColumnThatAJointReadsWhichStays) {
 TEST(WithJoints, TakesAllOfAName) {
   Motion walk = examples::make_walk({.num_frames = 1});
   walk.skeleton.joints[9].name = "Head";
-  EXPECT_EQ(with(walk, {"Head"}).skeleton.joints.size(), 9u);
+  EXPECT_EQ(with(walk, {"Head"}).skeleton.joints.size(), 10u);
 }
 
 TEST(WithJoints, RefusesAnUnknownName) {

@@ -102,10 +102,10 @@ TEST(Mirrored, PairsByPlaceWithoutNames) {
 }
 
 TEST(Mirrored, PairsRepeatedNamesInTheirOrder) {
-  const Motion motion = star({{"LeftToe", {3, 0, 0}},
-                              {"LeftToe", {4, 0, 0}},
-                              {"RightToe", {-3, 0, 0}},
-                              {"RightToe", {-4, 0, 0}}});
+  Motion motion = star({{"a", {3, 0, 0}}, {"b", {4, 0, 0}}, {"c", {-3, 0, 0}}, {"d", {-4, 0, 0}}});
+  for (std::size_t j = 1; j < 5; ++j) {
+    motion.skeleton.joints[j].name = j < 3 ? "LeftToe" : "RightToe";
+  }
   const Motion image = in_mirror(motion);
   EXPECT_EQ(image.clip.row(0)[7], motion.clip.row(0)[13]);
   EXPECT_EQ(image.clip.row(0)[10], motion.clip.row(0)[16]);

@@ -22,6 +22,8 @@ Json json_of(const Diagnostic& item) {
           {"code", item.code},           {"message", item.message}};
 }
 
+std::string source_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
+
 void print_summary(const std::string& path, const Diagnostics& diagnostics,
                    const Globals& globals) {
   if (globals.is_quiet) return;
@@ -30,9 +32,27 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
     return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
   };
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}, {}, {}\n", path == "-" ? "<stdin>" : path,
-             count(Severity::Error, "error"), count(Severity::Warning, "warning"),
-             count(Severity::Note, "note"));
+  fmt::print(stderr, "{}: {}, {}, {}\n", source_name(path), count(Severity::Error, "error"),
+             count(Severity::Warning, "warning"), count(Severity::Note, "note"));
+}
+
+/// Notes joints that turn suddenly, which no format forbids.
+void note_sudden_turns(const std::string& path, const Document& document,
+                       Diagnostics& diagnostics) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (motion == nullptr) return;
+  for (const SuddenTurn& turn : find_sudden_turns(*motion)) {
+    const bool is_spike = turn.return_frame != 0;
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = is_spike ? "MOT001" : "MOT002";
+    note.message = fmt::format("joint '{}' turns by {:.0f} degrees from frame {} to {}",
+                               motion->skeleton.joints[turn.joint].name, turn.degrees,
+                               turn.frame - 1, turn.frame);
+    if (is_spike) note.message += fmt::format(" and is back in frame {}", turn.return_frame);
+    note.place.source = source_name(path);
+    diagnostics.add(std::move(note));
+  }
 }
 
 int run(const Check& check, const Globals& globals) {
@@ -45,6 +65,8 @@ int run(const Check& check, const Globals& globals) {
       exit_code = worse(exit_code, exit_code_of(document.error()));
       // A fault of the file itself, not of its content, is not among the diagnostics yet.
       if (!diagnostics.has_errors()) diagnostics.add(document.error());
+    } else {
+      note_sudden_turns(path, *document, diagnostics);
     }
     if (check.is_json) {
       for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));

@@ -59,6 +59,7 @@ void add_check(CLI::App& app, Globals& globals);
 void add_fk(CLI::App& app, Globals& globals);
 void add_convert(CLI::App& app, Globals& globals);
 void add_diff(CLI::App& app, Globals& globals);
+void add_edit(CLI::App& app, Globals& globals);
 void add_formats(CLI::App& app, Globals& globals);
 
 /// Writes the man page, or the completions for a shell: "man", "bash", "zsh" or "fish".

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 
 #include "command.hpp"
+#include "frame_range.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -26,36 +26,6 @@ struct Fk {
   bool may_replace = false;
   Reading reading;
 };
-
-struct FrameRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::size_t step = 1;
-
-  /// How many frames it holds.
-  std::size_t num_frames() const { return (end - begin + step - 1) / step; }
-};
-
-/// Reads A:B or A:B:STEP, either end left out at will.
-std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames) {
-  std::vector<std::string> parts = CLI::detail::split(text, ':');
-  if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
-  FrameRange range{0, num_frames, 1};
-  if (text.empty()) return range;
-  if (parts.size() > 3 || parts.size() < 2) return std::nullopt;
-  std::size_t* const numbers[] = {&range.begin, &range.end, &range.step};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string& part = parts[i];
-    if (part.empty() && i < 2) continue;
-    const char* end = part.data() + part.size();
-    const auto [next, error] = std::from_chars(part.data(), end, *numbers[i]);
-    if (error != std::errc() || next != end) return std::nullopt;
-  }
-  const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
-  if (!is_inside) return std::nullopt;
-  range.step = std::min(range.step, num_frames + 1);  // a longer one takes the first frame, too
-  return range;
-}
 
 /// The joints of a comma-separated list, in skeleton order; all joints for an empty list. A name
 /// that stands for no joint is returned in `unknown`.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "edit_operations.hpp"
+#include "report.hpp"
+#include "writing.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct Edit {
+  std::string file;
+  std::vector<std::string> words;
+  Writing writing;
+  Reading reading;
+};
+
+Result<std::vector<Operation>> parse_operations(const std::vector<std::string>& words) {
+  std::vector<Operation> operations;
+  for (const std::string& word : words) {
+    auto operation = parse_operation(word);
+    if (!operation) return fail(std::move(operation.error()));
+    operations.push_back(std::move(*operation));
+  }
+  return operations;
+}
+
+/// Does one operation after the other. An error names the one that it came from.
+Result<void> apply(const std::vector<Operation>& operations, Document& document,
+                   const EditContext& context) {
+  for (const Operation& operation : operations) {
+    if (operation.needs_motion && !std::holds_alternative<Motion>(document.content)) {
+      return fail(make_error(
+          ErrorKind::Usage, "CLI001",
+          fmt::format("'{}' needs a motion, and the file holds a skeleton alone", operation.word)));
+    }
+    auto applied = operation.apply(document, context);
+    if (applied) continue;
+    Error error = std::move(applied.error());
+    if (error.place.source.empty()) error.message = operation.word + ": " + error.message;
+    return fail(std::move(error));
+  }
+  return {};
+}
+
+int run(Edit& edit, const Globals& globals) {
+  const auto operations = parse_operations(edit.words);
+  if (!operations) return usage_error(globals, operations.error().message);
+  const bool is_in_own_format = edit.writing.out == "-" && edit.writing.to.empty();
+  const Format* format = output_format(edit.writing);
+  if (format == nullptr && !is_in_own_format) return no_output_format(edit.writing, globals);
+  int exit_code = kDone;
+  auto document = load(edit.file, edit.reading, globals, exit_code);
+  if (!document) return exit_code;
+  if (is_in_own_format) format = find_format(document->format);
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = edit.reading.is_strict;
+  auto applied = apply(*operations, *document, {edit.reading, diagnostics});
+  return write_document(std::move(applied), *document, *format, edit.writing, edit.file,
+                        diagnostics, globals);
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, Globals& globals) {
+  auto edit = std::make_shared<Edit>();
+  edit->writing.out = "-";
+  CLI::App* command =
+      app.add_subcommand("edit", "Change a motion, by operations in the order given");
+  command->add_option("FILE", edit->file, "File to read; - is standard input")->required();
+  command->add_option("OP", edit->words, list_of_operations())->required();
+  command
+      ->add_option("-o,--out", edit->writing.out,
+                   "File to write; else standard output, in the input's format")
+      ->type_name("OUT");
+  add_writing_options(*command, edit->writing);
+  add_reading_options(*command, edit->reading);
+  command->callback(
+      [edit, &globals] { globals.run = [edit, &globals] { return run(*edit, globals); }; });
+}
+
+}  // namespace kinefile::cli

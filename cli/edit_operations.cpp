@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "edit_operations.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "frame_range.hpp"
+#include "writing.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+using Apply = std::function<Result<void>(Document&, const EditContext&)>;
+
+/// An operation by name: how it is called, and how its argument is read.
+struct OperationKind {
+  std::string_view name;
+  std::string_view usage;
+  bool needs_motion;
+  /// \param argument  what follows "=", or null
+  /// \returns         nothing if the argument is not what `usage` says
+  Apply (*parse)(const std::string* argument);
+};
+
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && next == end ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> parse_above_zero(const std::string* text) {
+  const auto number = text != nullptr ? parse_number<double>(*text) : std::nullopt;
+  return number && *number > 0 && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// An operation that makes a motion out of a motion.
+template <class Change>
+Apply on_motion(Change change) {
+  return [change](Document& document, const EditContext& context) {
+    return change_motion(
+        document, [&](const Motion& motion) -> Result<Motion> { return change(motion, context); });
+  };
+}
+
+/// Splits ",blend=F" from the end of an argument; nothing if F is no number.
+struct Blended {
+  std::string argument;
+  std::size_t num_frames = 0;
+};
+
+std::optional<Blended> split_blend(const std::string* argument) {
+  constexpr std::string_view kBlend = ",blend=";
+  if (argument == nullptr) return std::nullopt;
+  const std::size_t at = argument->rfind(kBlend);
+  if (at == std::string::npos) return Blended{*argument, 0};
+  const auto num_frames =
+      parse_number<std::size_t>(std::string_view(*argument).substr(at + kBlend.size()));
+  if (!num_frames) return std::nullopt;
+  return Blended{argument->substr(0, at), *num_frames};
+}
+
+Apply parse_trim(const std::string* argument) {
+  constexpr std::size_t kAnyFrames = std::numeric_limits<std::size_t>::max() - 1;
+  if (argument == nullptr || argument->empty()) return {};
+  const auto any = parse_range(*argument, kAnyFrames);
+  if (!any || any->step != 1) return {};
+  return on_motion([text = *argument, any](const Motion& motion, const EditContext&) {
+    const auto range = parse_range(text, motion.clip.num_frames);
+    // What is out of range is left to the library to refuse, with the numbers that were given.
+    const bool is_open = any->end == kAnyFrames;
+    return range ? trimmed(motion, range->begin, range->end)
+                 : trimmed(motion, any->begin, is_open ? motion.clip.num_frames : any->end);
+  });
+}
+
+Apply parse_reverse(const std::string* argument) {
+  if (argument != nullptr) return {};
+  return on_motion([](const Motion& motion, const EditContext&) { return reversed(motion); });
+}
+
+Apply parse_speed(const std::string* argument) {
+  const auto speed = parse_above_zero(argument);
+  if (!speed) return {};
+  return on_motion([speed](const Motion& motion, const EditContext& context) -> Result<Motion> {
+    const auto map = speed_map(motion.clip, *speed);
+    if (!map) return fail(map.error());
+    RetimeOptions options;
+    options.lenient = context.reading.is_lenient;
+    return retime(motion, *map, options, context.diagnostics);
+  });
+}
+
+/// The number of an axis among some letters, or nothing.
+std::optional<std::size_t> parse_axis(const std::string& text, std::string_view letters) {
+  if (text.size() != 1 || letters.find(text[0]) == std::string_view::npos) return std::nullopt;
+  return static_cast<std::size_t>(text[0] - 'x');
+}
+
+Apply parse_mirror(const std::string* argument) {
+  const auto axis = argument != nullptr ? parse_axis(*argument, "xyz") : std::nullopt;
+  if (argument != nullptr && !axis) return {};
+  return on_motion([axis](const Motion& motion, const EditContext& context) {
+    return mirrored(motion, axis ? *axis : guess_mirror_axis(motion.skeleton),
+                    context.reading.is_lenient, context.diagnostics);
+  });
+}
+
+Apply parse_scale(const std::string* argument) {
+  const auto factor = parse_above_zero(argument);
+  if (!factor) return {};
+  return on_motion(
+      [factor](const Motion& motion, const EditContext&) { return scaled(motion, *factor); });
+}
+
+Apply parse_up(const std::string* argument) {
+  const auto axis = argument != nullptr ? parse_axis(*argument, "yz") : std::nullopt;
+  if (!axis) return {};
+  return on_motion([axis](const Motion& motion, const EditContext& context) {
+    return with_up_axis(motion, *axis, context.diagnostics);
+  });
+}
+
+Apply parse_in_place(const std::string* argument) {
+  if (argument != nullptr) return {};
+  return on_motion([](const Motion& motion, const EditContext&) { return in_place(motion); });
+}
+
+Apply parse_loop(const std::string* argument) {
+  const auto blended = split_blend(argument);
+  const auto count = blended ? parse_number<std::size_t>(blended->argument) : std::nullopt;
+  if (!count) return {};
+  return on_motion(
+      [count, num_frames = blended->num_frames](const Motion& motion, const EditContext&) {
+        return looped(motion, *count, num_frames);
+      });
+}
+
+Result<Motion> append_file(const Motion& motion, const Blended& blended,
+                           const EditContext& context) {
+  const auto other = load_quietly(blended.argument, context.reading, context.diagnostics);
+  if (!other) return fail(other.error());
+  const Motion* second = std::get_if<Motion>(&other->content);
+  if (second == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CLI001",
+                           fmt::format("'{}' holds a skeleton alone", blended.argument)));
+  }
+  return appended(motion, *second, blended.num_frames);
+}
+
+Apply parse_append(const std::string* argument) {
+  const auto blended = split_blend(argument);
+  if (!blended || blended->argument.empty()) return {};
+  return on_motion([blended](const Motion& motion, const EditContext& context) {
+    return append_file(motion, *blended, context);
+  });
+}
+
+/// Leaves out what a format keeps of joints that are no more.
+void drop_extras(Document& document) {
+  std::map<std::string, std::map<std::string, std::string>> kept;
+  for (const Joint& joint : skeleton_of(document).joints) {
+    auto extras = document.extras.joints.extract(joint.name);
+    if (!extras.empty()) kept.insert(std::move(extras));
+  }
+  document.extras.joints = std::move(kept);
+}
+
+Apply parse_joints(const std::string* argument) {
+  if (argument == nullptr || argument->empty()) return {};
+  const auto names = CLI::detail::split(*argument, ',');
+  return [names](Document& document, const EditContext& context) -> Result<void> {
+    auto changed = change_motion(document, [&](const Motion& motion) {
+      return with_joints(motion, names, context.diagnostics);
+    });
+    if (changed) drop_extras(document);
+    return changed;
+  };
+}
+
+/// Where OLD:NEW is to be parted: names may hold colons, so OLD is the longest that is a joint's.
+std::size_t find_colon(const Skeleton& skeleton, const std::string& text) {
+  for (std::size_t at = text.rfind(':'); at != std::string::npos && at > 0;
+       at = text.rfind(':', at - 1)) {
+    for (const Joint& joint : skeleton.joints) {
+      if (text.compare(0, at, joint.name) == 0) return at;
+    }
+  }
+  return text.find(':');
+}
+
+Apply parse_rename(const std::string* argument) {
+  if (argument == nullptr || argument->find(':') == std::string::npos) return {};
+  return [text = *argument](Document& document, const EditContext&) {
+    const std::size_t colon = find_colon(skeleton_of(document), text);
+    return rename_joint(document, text.substr(0, colon), text.substr(colon + 1));
+  };
+}
+
+Apply parse_smooth(const std::string* argument) {
+  const auto cutoff = parse_above_zero(argument);
+  if (!cutoff) return {};
+  return on_motion(
+      [cutoff](const Motion& motion, const EditContext&) { return smoothed(motion, *cutoff); });
+}
+
+Apply parse_unwrap(const std::string* argument) {
+  if (argument != nullptr) return {};
+  return on_motion([](const Motion& motion, const EditContext&) { return unwrapped(motion); });
+}
+
+constexpr OperationKind kKinds[] = {
+    {"trim", "trim=A:B", true, parse_trim},
+    {"reverse", "reverse", true, parse_reverse},
+    {"speed", "speed=X", true, parse_speed},
+    {"mirror", "mirror[=x|y|z]", true, parse_mirror},
+    {"scale", "scale=X", false, parse_scale},
+    {"up", "up=y|z", false, parse_up},
+    {"in-place", "in-place", true, parse_in_place},
+    {"loop", "loop=N[,blend=F]", true, parse_loop},
+    {"append", "append=FILE[,blend=F]", true, parse_append},
+    {"joints", "joints=A,B,...", false, parse_joints},
+    {"rename", "rename=OLD:NEW", false, parse_rename},
+    {"smooth", "smooth=HZ", true, parse_smooth},
+    {"unwrap", "unwrap", true, parse_unwrap},
+};
+
+Error usage(std::string message) {
+  return make_error(ErrorKind::Usage, "CLI001", std::move(message));
+}
+
+}  // namespace
+
+Result<Operation> parse_operation(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  const std::string argument = equals == std::string::npos ? "" : word.substr(equals + 1);
+  for (const OperationKind& kind : kKinds) {
+    if (kind.name != name) continue;
+    Apply apply = kind.parse(equals == std::string::npos ? nullptr : &argument);
+    if (apply) return Operation{word, kind.needs_motion, std::move(apply)};
+    return fail(usage(fmt::format("expected {}, found '{}'", kind.usage, word)));
+  }
+  return fail(
+      usage(fmt::format("there is no operation '{}'; there are {}", name, list_of_operations())));
+}
+
+std::string list_of_operations() {
+  std::string list;
+  for (const OperationKind& kind : kKinds) {
+    list += list.empty() ? "" : ", ";
+    list += kind.usage;
+  }
+  return list;
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "frame_range.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+namespace kinefile::cli {
+
+std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames) {
+  std::vector<std::string> parts = CLI::detail::split(text, ':');
+  if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
+  FrameRange range{0, num_frames, 1};
+  if (text.empty()) return range;
+  if (parts.size() > 3 || parts.size() < 2) return std::nullopt;
+  std::size_t* const numbers[] = {&range.begin, &range.end, &range.step};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string& part = parts[i];
+    if (part.empty() && i < 2) continue;
+    const char* end = part.data() + part.size();
+    const auto [next, error] = std::from_chars(part.data(), end, *numbers[i]);
+    if (error != std::errc() || next != end) return std::nullopt;
+  }
+  const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
+  if (!is_inside) return std::nullopt;
+  range.step = std::min(range.step, num_frames + 1);  // a longer one takes the first frame, too
+  return range;
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command.hpp"
+
+namespace kinefile::cli {
+
+/// Options of every command that writes a document.
+struct Writing {
+  std::string out;  ///< "-" is standard output
+  std::string to;   ///< the name of a format; empty: the output's name tells
+  std::optional<int> decimals;
+  bool may_replace = false;
+};
+
+/// Gives a command the options of `Writing` but for the output itself, which some take by place.
+void add_writing_options(CLI::App& command, Writing& writing);
+
+/// The format that the options ask for, or null.
+const Format* output_format(const Writing& writing);
+
+/// Reports that the output shows no format. Returns kUsage.
+int no_output_format(const Writing& writing, const Globals& globals);
+
+/// Ends a command that makes a document out of a file: writes it, unless making it failed, and
+/// reports on stderr what was noticed on the way. Returns the exit code.
+/// \param made         how making the document went
+/// \param source       the file that errors without a place are told of
+/// \param diagnostics  what was noticed while it was made
+int write_document(Result<void> made, const Document& document, const Format& format,
+                   const Writing& writing, const std::string& source, Diagnostics& diagnostics,
+                   const Globals& globals);
+
+/// Changes the motion of a document by a function from Motion to Result<Motion>; a skeleton alone
+/// is given to it as a motion without frames.
+template <class Change>
+Result<void> change_motion(Document& document, const Change& change) {
+  Motion* const motion = std::get_if<Motion>(&document.content);
+  Motion still;
+  if (motion == nullptr) {
+    still.skeleton = std::get<Skeleton>(document.content);
+    still.clip.num_coordinates = still.skeleton.coordinates.size();
+  }
+  Result<Motion> changed = change(motion != nullptr ? *motion : still);
+  if (!changed) return fail(std::move(changed.error()));
+  if (motion != nullptr) {
+    *motion = std::move(*changed);
+  } else {
+    document.content = std::move(changed->skeleton);
+  }
+  return {};
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinefile/edit.hpp"
+
+namespace kinefile {
+
+Result<Motion> trimmed(const Motion& motion, std::size_t begin, std::size_t end) {
+  const Clip& clip = motion.clip;
+  if (begin > end || end > clip.num_frames) {
+    return fail(make_error(
+        ErrorKind::Usage, "EDT003",
+        fmt::format("expected frames within 0:{}, found {}:{}", clip.num_frames, begin, end)));
+  }
+  Motion result{motion.skeleton, {}};
+  result.clip.num_frames = end - begin;
+  result.clip.num_coordinates = clip.num_coordinates;
+  const double* values = clip.values.data();
+  result.clip.values.assign(values + begin * clip.num_coordinates,
+                            values + end * clip.num_coordinates);
+  Timeline& timeline = result.clip.timeline;
+  timeline = clip.timeline;
+  timeline.first_frame_number += static_cast<std::int64_t>(begin);
+  if (!timeline.times.empty()) {
+    const double* times = clip.timeline.times.data();
+    timeline.times.assign(times + begin, times + end);
+  }
+  return result;
+}
+
+Motion reversed(const Motion& motion) {
+  Motion result = motion;
+  Clip& clip = result.clip;
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const auto row = motion.clip.row(clip.num_frames - 1 - f);
+    std::copy(row.begin(), row.end(), clip.row(f).begin());
+  }
+  const auto& times = motion.clip.timeline.times;
+  for (std::size_t f = 0; f < times.size(); ++f) {
+    clip.timeline.times[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
+  }
+  return result;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "edit/blend.hpp"
+#include "edit/skeleton_facts.hpp"
+#include "kinefile/edit.hpp"
+
+namespace kinefile {
+namespace {
+
+constexpr double kSame = 1e-6;      // of the skeleton's size, or of the frame rate
+constexpr double kSameAxis = 1e-9;  // between unit vectors
+
+Error cannot_join(std::string why) {
+  return make_error(ErrorKind::Usage, "EDT005", std::move(why));
+}
+
+/// How the degrees of freedom of a joint differ, or an empty text.
+std::string difference_of_dofs(const Joint& a, const Joint& b) {
+  const auto is_same = [](const DegreeOfFreedom& x, const DegreeOfFreedom& y) {
+    return x.kind == y.kind && x.coordinate == y.coordinate &&
+           (x.kind == DofKind::Free || (x.axis - y.axis).norm() <= kSameAxis);
+  };
+  const bool is_equal =
+      std::equal(a.dofs.begin(), a.dofs.end(), b.dofs.begin(), b.dofs.end(), is_same);
+  return is_equal ? "" : fmt::format("joint '{}' moves in other ways", a.name);
+}
+
+/// How two joints differ, or an empty text.
+std::string difference_of(const Joint& a, const Joint& b, double tolerance) {
+  if (a.name != b.name) return fmt::format("joint '{}' is called '{}' there", a.name, b.name);
+  if (a.parent != b.parent) return fmt::format("joint '{}' hangs on another joint", a.name);
+  if (!((a.offset - b.offset).norm() <= tolerance)) {
+    return fmt::format("joint '{}' has another offset", a.name);
+  }
+  if (!(angle_between(a.rest_rotation, b.rest_rotation) <= kSameAxis)) {
+    return fmt::format("joint '{}' rests turned in another way", a.name);
+  }
+  const auto is_same = [tolerance](const Tip& x, const Tip& y) {
+    return (x.offset - y.offset).norm() <= tolerance;
+  };
+  if (!std::equal(a.tips.begin(), a.tips.end(), b.tips.begin(), b.tips.end(), is_same)) {
+    return fmt::format("joint '{}' has other tips", a.name);
+  }
+  return difference_of_dofs(a, b);
+}
+
+/// How two skeletons differ for one that joins their motions, or an empty text.
+std::string difference_of(const Skeleton& a, const Skeleton& b) {
+  if (a.angle_unit != b.angle_unit) return "one is in degrees and one in radians";
+  const double tolerance = kSame * rest_size(a);
+  for (std::size_t j = 0; j < std::min(a.joints.size(), b.joints.size()); ++j) {
+    std::string difference = difference_of(a.joints[j], b.joints[j], tolerance);
+    if (!difference.empty()) return difference;
+  }
+  if (a.joints.size() != b.joints.size()) {
+    return fmt::format("one has {} joints and one {}", a.joints.size(), b.joints.size());
+  }
+  const auto is_same = [](const Coordinate& x, const Coordinate& y) {
+    return x.joint == y.joint && x.channel == y.channel;
+  };
+  const bool has_same_columns = std::equal(a.coordinates.begin(), a.coordinates.end(),
+                                           b.coordinates.begin(), b.coordinates.end(), is_same);
+  return has_same_columns ? "" : "their columns differ";
+}
+
+std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
+                                 std::size_t num_blend_frames) {
+  const std::string difference = difference_of(first.skeleton, second.skeleton);
+  if (!difference.empty()) {
+    return cannot_join(fmt::format("the skeletons differ: {}", difference));
+  }
+  const double rate = frame_rate(first.clip.timeline);
+  const double other_rate = frame_rate(second.clip.timeline);
+  if (!(std::abs(rate - other_rate) <= kSame * rate)) {
+    return cannot_join(
+        fmt::format("the frame rates differ: {} and {} frames a second", rate, other_rate));
+  }
+  const std::size_t fewest = std::min(first.clip.num_frames, second.clip.num_frames);
+  if (num_blend_frames > fewest) {
+    return cannot_join(
+        fmt::format("{} frames cannot be blended where a motion has {}", num_blend_frames, fewest));
+  }
+  return std::nullopt;
+}
+
+/// Whether a clip of so many frames stays below what we make: 2^31 values.
+bool is_too_large(double num_frames, std::size_t num_columns) {
+  constexpr double kMostValues = 2147483648.0;
+  return num_frames * static_cast<double>(std::max<std::size_t>(num_columns, 1)) > kMostValues;
+}
+
+/// Continues the times of frames, where one of the clips has any.
+void append_times(Clip& first, const Clip& second, std::size_t num_blend_frames) {
+  if (first.timeline.times.empty() && second.timeline.times.empty()) return;
+  const std::size_t count = first.num_frames;
+  std::vector<double> times;
+  for (std::size_t f = 0; f < count; ++f) times.push_back(time_of_frame(first.timeline, f));
+  double start = 0;  // when the second's first frame happens
+  if (num_blend_frames > 0) start = times[count - num_blend_frames];
+  if (num_blend_frames == 0 && count > 0) start = times.back() + frame_time(first.timeline);
+  const double shift = start - time_of_frame(second.timeline, 0);
+  for (std::size_t f = num_blend_frames; f < second.num_frames; ++f) {
+    times.push_back(time_of_frame(second.timeline, f) + (count > 0 ? shift : 0));
+  }
+  first.timeline.times = std::move(times);
+}
+
+void append_rows(Clip& first, const Clip& second, std::size_t begin) {
+  const auto skipped = static_cast<std::ptrdiff_t>(begin * second.num_coordinates);
+  first.values.insert(first.values.end(), second.values.begin() + skipped, second.values.end());
+  first.num_frames += second.num_frames - begin;
+}
+
+/// Appends a motion that fits (see `obstacle_to`).
+void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames) {
+  append_times(first.clip, second.clip, num_blend_frames);
+  if (num_blend_frames == 0) {
+    append_rows(first.clip, second.clip, 0);
+    return;
+  }
+  const std::size_t overlap = first.clip.num_frames - num_blend_frames;
+  const Motion moved =
+      moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2);
+  const Blender blender(first.skeleton);
+  for (std::size_t i = 0; i < num_blend_frames; ++i) {
+    const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
+    blender.blend(moved.clip.row(i), u * u * (3 - 2 * u), first.clip.row(overlap + i));
+  }
+  append_rows(first.clip, moved.clip, num_blend_frames);
+}
+
+}  // namespace
+
+Result<Motion> appended(const Motion& first, const Motion& second, std::size_t num_blend_frames) {
+  if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
+  const double num_frames =
+      static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
+  if (is_too_large(num_frames, first.clip.num_coordinates)) {
+    return fail(cannot_join("the motion would have more than 2^31 values"));
+  }
+  Motion result = first;
+  append_to(result, second, num_blend_frames);
+  return result;
+}
+
+Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {
+  const Clip& clip = motion.clip;
+  if (count == 0) return fail(cannot_join("a motion cannot be played 0 times"));
+  if (num_blend_frames > clip.num_frames) {
+    return fail(cannot_join(fmt::format("{} frames cannot be blended where a motion has {}",
+                                        num_blend_frames, clip.num_frames)));
+  }
+  if (is_too_large(static_cast<double>(clip.num_frames) * static_cast<double>(count),
+                   clip.num_coordinates)) {
+    return fail(cannot_join("the motion would have more than 2^31 values"));
+  }
+  Motion result = motion;
+  if (clip.num_frames == 0) return result;
+  result.clip.values.reserve(clip.values.size() * count);
+  for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames);
+  return result;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "edit/skeleton_facts.hpp"
+#include "kinefile/edit.hpp"
+
+namespace kinefile {
+namespace {
+
+Error no_such_joint(const std::string& name) {
+  return make_error(ErrorKind::Usage, "EDT006", fmt::format("there is no joint '{}'", name));
+}
+
+/// The joints of some names and all above them.
+Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
+                                                std::span<const std::string> names) {
+  std::vector<bool> is_kept(skeleton.joints.size(), false);
+  for (const std::string& name : names) {
+    bool is_known = false;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+      if (skeleton.joints[j].name != name) continue;
+      is_known = true;
+      is_kept[j] = true;
+    }
+    if (!is_known) return fail(no_such_joint(name));
+  }
+  // Parents come first, so that going backwards meets every child before its parent.
+  for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (is_kept[j] && parent != kNoParent) is_kept[parent] = true;
+  }
+  return is_kept;
+}
+
+/// Where a joint sits in its parent's frame in all frames; nothing if it moves there.
+std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
+  const std::vector<Slide> slides = slides_of(joint);
+  if (slides.empty() || clip.num_frames == 0) return rest_offset(joint);
+  for (std::size_t f = 1; f < clip.num_frames; ++f) {
+    for (const Slide& slide : slides) {
+      if (clip.row(f)[slide.column] != clip.row(0)[slide.column]) return std::nullopt;
+    }
+  }
+  const Vec3 place = position_in_row(joint, slides, clip.row(0));
+  return place.allFinite() ? std::optional(place) : std::nullopt;
+}
+
+/// Puts tips where the children of a joint were.
+void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Joint& joint,
+              Diagnostics& diagnostics) {
+  for (const std::size_t c : children) {
+    const Joint& child = motion.skeleton.joints[c];
+    const auto place = fixed_place(child, motion.clip);
+    if (!place) {
+      Diagnostic warning;
+      warning.severity = Severity::Warning;
+      warning.code = "EDT010";
+      warning.message = fmt::format("joint '{}' moves on '{}', which gets a tip where it rests",
+                                    child.name, joint.name);
+      diagnostics.add(std::move(warning));
+    }
+    joint.tips.push_back({"", place.value_or(rest_offset(child))});
+  }
+}
+
+constexpr std::size_t kDropped = std::numeric_limits<std::size_t>::max();
+
+/// The new index of everything that is kept, kDropped for the rest.
+std::vector<std::size_t> new_indices(const std::vector<bool>& is_kept) {
+  std::vector<std::size_t> indices(is_kept.size(), kDropped);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < is_kept.size(); ++i) {
+    if (is_kept[i]) indices[i] = next++;
+  }
+  return indices;
+}
+
+/// The joint that each column belongs to now: its own if that is kept, else the first kept one
+/// that reads it, as a joint does that mimics another; kDropped if there is none.
+std::vector<std::size_t> owners_of_columns(const Skeleton& skeleton,
+                                           const std::vector<bool>& is_kept) {
+  std::vector<std::size_t> owners(skeleton.coordinates.size(), kDropped);
+  for (std::size_t c = 0; c < owners.size(); ++c) {
+    if (is_kept[skeleton.coordinates[c].joint]) owners[c] = skeleton.coordinates[c].joint;
+  }
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    if (!is_kept[j]) continue;
+    for (const DegreeOfFreedom& dof : skeleton.joints[j].dofs) {
+      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
+      for (std::size_t k = 0; k < count; ++k) {
+        std::size_t& owner = owners[dof.coordinate + k];
+        if (owner == kDropped) owner = j;
+      }
+    }
+  }
+  return owners;
+}
+
+Clip with_columns(const Clip& clip, const std::vector<std::size_t>& new_columns,
+                  std::size_t num_columns) {
+  Clip result;
+  result.num_frames = clip.num_frames;
+  result.num_coordinates = num_columns;
+  result.timeline = clip.timeline;
+  result.values.resize(clip.num_frames * num_columns);
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    for (std::size_t c = 0; c < new_columns.size(); ++c) {
+      if (new_columns[c] != kDropped) result.row(f)[new_columns[c]] = clip.row(f)[c];
+    }
+  }
+  return result;
+}
+
+bool has_joint(const Skeleton& skeleton, const std::string& name) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
+                     [&name](const Joint& joint) { return joint.name == name; });
+}
+
+}  // namespace
+
+Result<Motion> with_joints(const Motion& motion, std::span<const std::string> names,
+                           Diagnostics& diagnostics) {
+  const Skeleton& skeleton = motion.skeleton;
+  const auto is_kept = select_with_ancestors(skeleton, names);
+  if (!is_kept) return fail(is_kept.error());
+  const auto new_joints = new_indices(*is_kept);
+  const auto owners = owners_of_columns(skeleton, *is_kept);
+  std::vector<bool> is_column_kept;
+  for (const std::size_t owner : owners) is_column_kept.push_back(owner != kDropped);
+  const auto new_columns = new_indices(is_column_kept);
+  const auto children = children_of_joints(skeleton);
+
+  Motion result{skeleton, {}};
+  result.skeleton.joints.clear();
+  result.skeleton.coordinates.clear();
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    if (!(*is_kept)[j]) continue;
+    Joint joint = skeleton.joints[j];
+    if (joint.parent != kNoParent) joint.parent = new_joints[joint.parent];
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_columns[dof.coordinate];
+    const bool is_bare = std::none_of(children[j].begin(), children[j].end(),
+                                      [&is_kept](std::size_t child) { return (*is_kept)[child]; });
+    if (is_bare && joint.tips.empty()) add_tips(motion, children[j], joint, diagnostics);
+    result.skeleton.joints.push_back(std::move(joint));
+  }
+  for (std::size_t c = 0; c < owners.size(); ++c) {
+    if (owners[c] == kDropped) continue;
+    result.skeleton.coordinates.push_back({new_joints[owners[c]], skeleton.coordinates[c].channel});
+  }
+  result.clip = with_columns(motion.clip, new_columns, result.skeleton.coordinates.size());
+  return result;
+}
+
+Result<void> rename_joint(Document& document, const std::string& old_name,
+                          const std::string& new_name) {
+  Motion* motion = std::get_if<Motion>(&document.content);
+  Skeleton& skeleton = motion != nullptr ? motion->skeleton : std::get<Skeleton>(document.content);
+  if (!has_joint(skeleton, old_name)) return fail(no_such_joint(old_name));
+  if (new_name == old_name) return {};
+  if (new_name.empty() || has_joint(skeleton, new_name)) {
+    const std::string why = new_name.empty()
+                                ? "a joint needs a name"
+                                : fmt::format("there is a joint '{}' already", new_name);
+    return fail(make_error(ErrorKind::Usage, "EDT006", why));
+  }
+  for (Joint& joint : skeleton.joints) {
+    if (joint.name == old_name) joint.name = new_name;
+  }
+  auto kept = document.extras.joints.extract(old_name);
+  if (!kept.empty()) {
+    kept.key() = new_name;
+    document.extras.joints.insert(std::move(kept));
+  }
+  return {};
+}
+
+}  // namespace kinefile

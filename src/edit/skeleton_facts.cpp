@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "edit/skeleton_facts.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile {
+
+std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton) {
+  std::vector<std::size_t> readers(skeleton.coordinates.size(), 0);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
+      for (std::size_t k = 0; k < count; ++k) ++readers[dof.coordinate + k];
+    }
+  }
+  return readers;
+}
+
+double rest_size(const Skeleton& skeleton) {
+  const Box box = world_extent(skeleton, rest_clip(skeleton));
+  return (box.max - box.min).allFinite() ? (box.max - box.min).norm() : 0;
+}
+
+double whole_turn(AngleUnit unit) {
+  return unit == AngleUnit::Degrees ? 360.0 : 2 * std::numbers::pi;
+}
+
+bool all_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](double number) { return std::isfinite(number); });
+}
+
+std::vector<Slide> slides_of(const Joint& joint) {
+  std::vector<Slide> slides;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind == DofKind::Translation) {
+      slides.push_back({joint.rest_rotation * dof.axis, dof.coordinate});
+    }
+    for (std::size_t k = 0; dof.kind == DofKind::Free && k < 3; ++k) {
+      const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(k));
+      slides.push_back({joint.rest_rotation * axis, dof.coordinate + k});
+    }
+  }
+  return slides;
+}
+
+Vec3 position_in_row(const Joint& joint, const std::vector<Slide>& slides,
+                     std::span<const double> row) {
+  Vec3 position = joint.offset;
+  for (const Slide& slide : slides) position += row[slide.column] * slide.axis;
+  return position;
+}
+
+double fit_position(const Joint& joint, const std::vector<Slide>& slides, const Vec3& position,
+                    std::span<double> row) {
+  if (slides.empty()) return (position - joint.offset).norm();
+  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(slides.size()));
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    axes.col(static_cast<Eigen::Index>(k)) = slides[k].axis;
+  }
+  constexpr double kSquare = 1e-12;
+  const Vec3 wanted = position - joint.offset;
+  // Axes at right angles, which is the rule, need no equations: exact where they are x, y and z.
+  const bool is_square = (axes.transpose() * axes).isIdentity(kSquare);
+  const Eigen::VectorXd values =
+      is_square ? Eigen::VectorXd(axes.transpose() * wanted)
+                : Eigen::VectorXd(axes.completeOrthogonalDecomposition().solve(wanted));
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    row[slides[k].column] = values[static_cast<Eigen::Index>(k)];
+  }
+  return (axes * values - wanted).norm();
+}
+
+std::optional<std::size_t> free_column(const Joint& joint) {
+  const bool is_free = !joint.dofs.empty() && joint.dofs[0].kind == DofKind::Free;
+  return is_free ? std::optional(joint.dofs[0].coordinate) : std::nullopt;
+}
+
+Quat free_rotation(std::span<const double> row, std::size_t column) {
+  return Quat(row[column + 3], row[column + 4], row[column + 5], row[column + 6]).normalized();
+}
+
+void set_free_rotation(std::span<double> row, std::size_t column, const Quat& rotation) {
+  row[column + 3] = rotation.w();
+  for (std::size_t k = 0; k < 3; ++k) {
+    row[column + 4 + k] = rotation.vec()[static_cast<Eigen::Index>(k)];
+  }
+}
+
+}  // namespace kinefile

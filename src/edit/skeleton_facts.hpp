@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinefile/skeleton.hpp"
+
+namespace kinefile {
+
+/// How many degrees of freedom read each column; shape (coordinates).
+std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton);
+
+/// The diagonal of the box around the rest pose: what tolerances of lengths are relative to.
+double rest_size(const Skeleton& skeleton);
+
+/// A whole turn: 360 degrees or 2 pi.
+double whole_turn(AngleUnit unit);
+
+/// Whether all numbers are finite.
+bool all_finite(std::span<const double> numbers);
+
+/// A column that moves a joint's origin, and along which axis of its parent's frame.
+struct Slide {
+  Vec3 axis = Vec3::Zero();
+  std::size_t column = 0;
+};
+
+/// What moves a joint's origin: its translations, or the first three columns of a free joint.
+std::vector<Slide> slides_of(const Joint& joint);
+
+/// Where a joint's origin is in its parent's frame.
+Vec3 position_in_row(const Joint& joint, const std::vector<Slide>& slides,
+                     std::span<const double> row);
+
+/// Moves a joint's origin to a place in its parent's frame, or as near as its slides let it.
+/// \returns the distance that is left
+double fit_position(const Joint& joint, const std::vector<Slide>& slides, const Vec3& position,
+                    std::span<double> row);
+
+/// The column of a joint's free movement, or nothing for a joint that has none.
+std::optional<std::size_t> free_column(const Joint& joint);
+
+/// The quaternion in the columns of a joint that moves freely, normalised.
+Quat free_rotation(std::span<const double> row, std::size_t column);
+
+/// Writes a quaternion into the columns of a joint that moves freely.
+void set_free_rotation(std::span<double> row, std::size_t column, const Quat& rotation);
+
+}  // namespace kinefile

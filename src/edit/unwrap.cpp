@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "edit/skeleton_facts.hpp"
+#include "kinefile/edit.hpp"
+#include "kinefile/joint_rotation.hpp"
+
+namespace kinefile {
+namespace {
+
+/// An angle moved by whole turns to within half a turn of another; itself, bit for bit, if it is.
+double nearest_turn(double angle, double near, double turn) {
+  return angle + turn * std::round((near - angle) / turn);
+}
+
+/// Takes the jumps by whole turns out of a column.
+void unwrap_column(Clip& clip, std::size_t column, double turn) {
+  std::optional<double> before;
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    double& angle = clip.row(f)[column];
+    if (!std::isfinite(angle)) continue;
+    if (before) angle = nearest_turn(angle, *before, turn);
+    before = angle;
+  }
+}
+
+/// Three columns that together are a rotation which another triple gives, too.
+struct Triple {
+  std::array<std::size_t, 3> columns;
+  bool is_proper;  ///< the outer axes are the same: z x z
+
+  Vec3 in_row(std::span<const double> row) const {
+    return {row[columns[0]], row[columns[1]], row[columns[2]]};
+  }
+};
+
+Vec3 nearest_turns(const Vec3& angles, const Vec3& near, double turn) {
+  return {nearest_turn(angles[0], near[0], turn), nearest_turn(angles[1], near[1], turn),
+          nearest_turn(angles[2], near[2], turn)};
+}
+
+void unwrap_triple(Clip& clip, const Triple& triple, double turn) {
+  std::optional<Vec3> before;
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const Vec3 angles = triple.in_row(clip.row(f));
+    if (!angles.allFinite()) continue;
+    Vec3 best = angles;
+    if (before) {
+      best = nearest_turns(angles, *before, turn);
+      const double half = turn / 2;
+      const Vec3 other(angles[0] + half, (triple.is_proper ? 0 : half) - angles[1],
+                       angles[2] + half);
+      const Vec3 twin = nearest_turns(other, *before, turn);
+      if ((twin - *before).squaredNorm() < (best - *before).squaredNorm()) best = twin;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      clip.row(f)[triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
+    }
+    before = best;
+  }
+}
+
+/// The joint's three rotations, if another triple of angles gives the same and nothing else reads
+/// their columns.
+std::optional<Triple> triple_of(const std::vector<DegreeOfFreedom>& rotations,
+                                const std::vector<std::size_t>& readers) {
+  const auto axes = euler_axes_of(rotations);
+  if (!axes) return std::nullopt;
+  Triple triple{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    triple.columns[k] = rotations[k].coordinate;
+    if (readers[triple.columns[k]] != 1) return std::nullopt;
+  }
+  triple.is_proper = std::abs((*axes)[2].dot((*axes)[0])) > 0.5;
+  return triple;
+}
+
+/// Columns that are angles and nothing else.
+std::vector<bool> angle_columns(const Skeleton& skeleton) {
+  std::vector<bool> is_angle(skeleton.coordinates.size(), true);
+  const auto readers = num_readers_of_columns(skeleton);
+  for (std::size_t c = 0; c < readers.size(); ++c) is_angle[c] = readers[c] > 0;
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
+      if (dof.kind == DofKind::Rotation) continue;
+      for (std::size_t k = 0; k < count; ++k) is_angle[dof.coordinate + k] = false;
+    }
+  }
+  return is_angle;
+}
+
+/// Gives a joint's quaternions the signs by which they change least.
+void unwrap_free(Clip& clip, std::size_t first) {
+  std::optional<Eigen::Vector4d> before;
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    Eigen::Map<Eigen::Vector4d> quaternion(&clip.row(f)[first + 3]);
+    if (!quaternion.allFinite()) continue;
+    if (before && quaternion.dot(*before) < 0) quaternion = -quaternion;
+    before = quaternion;
+  }
+}
+
+}  // namespace
+
+Motion unwrapped(const Motion& motion) {
+  Motion result = motion;
+  const double turn = whole_turn(motion.skeleton.angle_unit);
+  const auto readers = num_readers_of_columns(motion.skeleton);
+  std::vector<bool> is_waiting = angle_columns(motion.skeleton);
+  for (const Joint& joint : motion.skeleton.joints) {
+    if (const auto column = free_column(joint)) unwrap_free(result.clip, *column);
+    if (const auto triple = triple_of(rotations_of(joint), readers)) {
+      unwrap_triple(result.clip, *triple, turn);
+      for (const std::size_t column : triple->columns) is_waiting[column] = false;
+    }
+  }
+  for (std::size_t c = 0; c < is_waiting.size(); ++c) {
+    if (is_waiting[c]) unwrap_column(result.clip, c, turn);
+  }
+  return result;
+}
+
+}  // namespace kinefile

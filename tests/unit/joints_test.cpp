@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "kinefile/compare.hpp"
+#include "kinefile/edit.hpp"
+#include "support/support.hpp"
+#include "walk.hpp"
+
+namespace kinefile {
+namespace {
+
+Motion with(const Motion& motion, const std::vector<std::string>& names) {
+  Diagnostics diagnostics;
+  auto result = with_joints(motion, names, diagnostics);
+  EXPECT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(test::text_of(diagnostics), "");
+  EXPECT_TRUE(validate(result->skeleton));
+  return result ? std::move(*result) : Motion{};
+}
+
+std::vector<std::string> names_of(const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  for (const Joint& joint : skeleton.joints) names.push_back(joint.name);
+  return names;
+}
+
+TEST(WithJoints, KeepsThemAndAllAboveInTheirPlaces) {
+  const Motion walk = examples::make_walk({.num_frames = 10});
+  const Motion part = with(walk, {"Spine1", "LeftFoot"});
+  EXPECT_EQ(names_of(part.skeleton),
+            (std::vector<std::string>{"Hips", "Spine", "Spine1", "LeftUpperLeg", "LeftLowerLeg",
+                                      "LeftFoot"}));
+  EXPECT_EQ(part.clip.num_coordinates, 6u + 5 * 3);
+  const MotionComparison comparison = compare_motions(part, walk);
+  EXPECT_EQ(comparison.distance.value, 0);
+  EXPECT_TRUE(comparison.only_in_first.empty());
+}
+
+TEST(WithJoints, PutsTipsWhereChildrenWere) {
+  const Motion part = with(examples::make_walk({.num_frames = 2}), {"Chest", "Head"});
+  EXPECT_TRUE(part.skeleton.joints[3].tips.empty());
+  const Motion chest = with(examples::make_walk({.num_frames = 2}), {"Chest"});
+  ASSERT_EQ(chest.skeleton.joints[3].tips.size(), 3u);
+  EXPECT_EQ(chest.skeleton.joints[3].tips[0].offset, Vec3(0, 19, 1));
+  EXPECT_EQ(chest.skeleton.joints[3].tips[2].offset, Vec3(-3, 14, 2));
+}
+
+/// A joint that slides on another.
+constexpr char kSlide[] =
+    "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT a\n{\nOFFSET 1 2 3\n"
+    "CHANNELS 1 Xposition\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n}\n"
+    "MOTION\nFrames: 2\nFrame Time: 0.1\n";
+
+TEST(WithJoints, PutsTheTipWhereAChildStood) {
+  const Motion slide = test::motion_of(std::string(kSlide) + "5\n5\n");
+  EXPECT_EQ(with(slide, {"r"}).skeleton.joints[0].tips[0].offset, Vec3(5, 2, 3));
+}
+
+TEST(WithJoints, WarnsOfAChildThatMoved) {
+  const Motion slide = test::motion_of(std::string(kSlide) + "5\n6\n");
+  Diagnostics diagnostics;
+  const std::vector<std::string> names = {"r"};
+  const auto part = with_joints(slide, names, diagnostics);
+  EXPECT_EQ(test::text_of(diagnostics),
+            "warning[EDT010]: joint 'a' moves on 'r', which gets a tip where it rests\n");
+  EXPECT_EQ(part->skeleton.joints[0].tips[0].offset, Vec3(1, 2, 3));
+}
+
+TEST(WithJoints, KeepsAColumnThatAJointReadsWhichStays) {
+  Motion motion = examples::make_walk({.num_frames = 3});
+  motion.skeleton.joints[1].dofs = {{DofKind::Rotation, Vec3::UnitX(), 20, 0}};
+  const Motion part = with(motion, {"Spine"});
+  EXPECT_EQ(part.clip.num_coordinates, 10u);
+  EXPECT_EQ(part.clip.row(2)[9], motion.clip.row(2)[20]);
+  EXPECT_EQ(part.skeleton.coordinates[9].joint, 1u);
+}
+
+TEST(WithJoints, TakesAllOfAName) {
+  Motion walk = examples::make_walk({.num_frames = 1});
+  walk.skeleton.joints[9].name = "Head";
+  EXPECT_EQ(with(walk, {"Head"}).skeleton.joints.size(), 10u);
+}
+
+TEST(WithJoints, RefusesAnUnknownName) {
+  Diagnostics diagnostics;
+  const std::vector<std::string> names = {"Head", "Nose"};
+  const auto refused = with_joints(examples::make_walk({.num_frames = 1}), names, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "EDT006");
+  EXPECT_EQ(refused.error().message, "there is no joint 'Nose'");
+}
+
+TEST(WithJoints, NeedsNoFrames) {
+  EXPECT_EQ(with(examples::make_walk({.num_frames = 0}), {"Head"}).skeleton.joints.size(), 6u);
+}
+
+Document walk_document() {
+  Document document;
+  document.content = examples::make_walk({.num_frames = 1});
+  document.extras.joints["Head"]["id"] = "7";
+  return document;
+}
+
+TEST(RenameJoint, RenamesInTheSkeletonAndTheExtras) {
+  Document document = walk_document();
+  ASSERT_TRUE(rename_joint(document, "Head", "head"));
+  EXPECT_EQ(skeleton_of(document).joints[5].name, "head");
+  EXPECT_EQ(document.extras.joints["head"]["id"], "7");
+  EXPECT_EQ(document.extras.joints.count("Head"), 0u);
+}
+
+TEST(RenameJoint, WorksOnASkeletonAlone) {
+  Document document;
+  document.content = examples::make_walk({.num_frames = 1}).skeleton;
+  ASSERT_TRUE(rename_joint(document, "Hips", "Pelvis"));
+  EXPECT_EQ(skeleton_of(document).joints[0].name, "Pelvis");
+}
+
+TEST(RenameJoint, RefusesNamesThatAreNotThereOrTaken) {
+  Document document = walk_document();
+  EXPECT_EQ(rename_joint(document, "Nose", "nose").error().message, "there is no joint 'Nose'");
+  EXPECT_EQ(rename_joint(document, "Head", "Neck").error().message,
+            "there is a joint 'Neck' already");
+  EXPECT_EQ(rename_joint(document, "Head", "").error().message, "a joint needs a name");
+  EXPECT_TRUE(rename_joint(document, "Head", "Head"));
+}
+
+}  // namespace
+}  // namespace kinefile

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "kinefile/compare.hpp"
+#include "kinefile/edit.hpp"
+#include "kinefile/kinematics.hpp"
+#include "support/support.hpp"
+#include "walk.hpp"
+
+namespace kinefile {
+namespace {
+
+Motion in_mirror(const Motion& motion, std::size_t axis = 0) {
+  Diagnostics diagnostics;
+  auto result = mirrored(motion, axis, false, diagnostics);
+  EXPECT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(test::text_of(diagnostics), "");
+  return result ? std::move(*result) : Motion{};
+}
+
+std::size_t joint_of(const Motion& motion, const std::string& name) {
+  std::size_t j = 0;
+  while (j < motion.skeleton.joints.size() && motion.skeleton.joints[j].name != name) ++j;
+  return j;
+}
+
+Vec3 place_of(const Motion& motion, std::size_t frame, const std::string& name) {
+  const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip);
+  const std::size_t at = (frame * poses.num_joints + joint_of(motion, name)) * 3;
+  return {poses.positions[at], poses.positions[at + 1], poses.positions[at + 2]};
+}
+
+Vec3 across(Vec3 place, Eigen::Index axis = 0) {
+  place[axis] = -place[axis];
+  return place;
+}
+
+/// A skeleton of a root and some joints on it, each turning about three axes.
+Motion star(const std::vector<std::pair<std::string, Vec3>>& arms) {
+  std::string text =
+      "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\n"
+      "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+  std::string row = "1 2 3 10 20 30";
+  double angle = 5;
+  for (const auto& [name, offset] : arms) {
+    text += "JOINT " + name + "\n{\nOFFSET " + std::to_string(offset[0]) + " " +
+            std::to_string(offset[1]) + " " + std::to_string(offset[2]) +
+            "\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n";
+    for (int k = 0; k < 3; ++k) row += " " + std::to_string(angle += 7);
+  }
+  return test::motion_of(text + "}\nMOTION\nFrames: 1\nFrame Time: 0.1\n" + row + "\n");
+}
+
+TEST(Mirrored, PutsEveryJointWhereItsOtherHalfWasInTheMirror) {
+  const Motion walk = examples::make_walk({.num_frames = 40});
+  const Motion image = in_mirror(walk);
+  for (const std::size_t frame : {0u, 17u, 39u}) {
+    for (const auto& [name, other] :
+         {std::pair("LeftHand", "RightHand"), {"RightToe", "LeftToe"}, {"Head", "Head"}}) {
+      EXPECT_LT((place_of(image, frame, name) - across(place_of(walk, frame, other))).norm(), 1e-10)
+          << name << " in frame " << frame;
+    }
+  }
+}
+
+TEST(Mirrored, TwiceIsTheSameMotionBitForBit) {
+  const Motion walk = examples::make_walk({.num_frames = 40});
+  EXPECT_EQ(in_mirror(in_mirror(walk)).clip.values, walk.clip.values);
+  EXPECT_EQ(in_mirror(walk).clip.row(3)[0], -walk.clip.row(3)[0]);
+}
+
+TEST(Mirrored, AlongZTurnsTheOtherWay) {
+  const Motion pair = star({{"front", {0, 0, 4}}, {"back", {0, 0, -4}}});
+  const Motion image = in_mirror(pair, 2);
+  EXPECT_LT((place_of(image, 0, "front") - across(place_of(pair, 0, "back"), 2)).norm(), 1e-12);
+  EXPECT_EQ(in_mirror(image, 2).clip.values, pair.clip.values);
+}
+
+TEST(Mirrored, PairsByTheNamesThatAreInUse) {
+  const std::vector<std::pair<std::string, std::string>> names = {
+      {"LeftArm", "RightArm"}, {"arm_l", "arm_r"},    {"L_Arm", "R_Arm"},
+      {"Arm.L", "Arm.R"},      {"lfemur", "rfemur"},  {"handL", "handR"},
+      {"左腕", "右腕"},        {"upleft", "upright"}, {"Bip L Arm", "Bip R Arm"}};
+  for (const auto& [left, right] : names) {
+    // They do not lie like each other in the mirror, so that nothing but the names pairs them.
+    const Motion pair = star({{left, {3, 0, 0}}, {right, {-9, 5, 0}}});
+    const Motion image = in_mirror(pair);
+    EXPECT_EQ(image.clip.row(0)[6], -pair.clip.row(0)[9]) << left;
+    EXPECT_EQ(image.clip.row(0)[7], pair.clip.row(0)[10]) << left;
+    EXPECT_EQ(image.clip.row(0)[11], -pair.clip.row(0)[8]) << left;
+  }
+}
+
+TEST(Mirrored, PairsByPlaceWithoutNames) {
+  const Motion pair = star({{"a", {3, 1, 0}}, {"b", {-3.01, 1, 0}}, {"c", {0, 2, 0}}});
+  const Motion image = in_mirror(pair);
+  EXPECT_EQ(image.clip.row(0)[7], pair.clip.row(0)[10]);
+  EXPECT_EQ(image.clip.row(0)[13], pair.clip.row(0)[13]);
+}
+
+TEST(Mirrored, PairsRepeatedNamesInTheirOrder) {
+  Motion motion = star({{"a", {3, 0, 0}}, {"b", {4, 0, 0}}, {"c", {-3, 0, 0}}, {"d", {-4, 0, 0}}});
+  for (std::size_t j = 1; j < 5; ++j) {
+    motion.skeleton.joints[j].name = j < 3 ? "LeftToe" : "RightToe";
+  }
+  const Motion image = in_mirror(motion);
+  EXPECT_EQ(image.clip.row(0)[7], motion.clip.row(0)[13]);
+  EXPECT_EQ(image.clip.row(0)[10], motion.clip.row(0)[16]);
+}
+
+TEST(Mirrored, RefusesAJointWithoutOtherHalf) {
+  const Motion odd = star({{"LeftArm", {3, 0, 0}}, {"tail", {2, 0, 0}}});
+  Diagnostics diagnostics;
+  const auto refused = mirrored(odd, 0, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "EDT004");
+  EXPECT_EQ(refused.error().message,
+            "joint 'LeftArm' has no other half, by name or by where it lies, and does not lie in "
+            "the plane of the mirror");
+  const auto image = mirrored(odd, 0, true, diagnostics);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(test::codes_of(diagnostics), (std::vector<std::string>{"EDT004", "EDT004"}));
+  EXPECT_EQ(image->clip.row(0)[6], -odd.clip.row(0)[6]);
+}
+
+/// Two arms whose rotations stand in different orders.
+constexpr char kTwoOrders[] =
+    "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 0\n"
+    "JOINT Left\n{\nOFFSET 2 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+    "End Site\n{\nOFFSET 1 2 3\n}\n}\n"
+    "JOINT Right\n{\nOFFSET -2 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
+    "End Site\n{\nOFFSET -1 2 3\n}\n}\n}\n"
+    "MOTION\nFrames: 3\nFrame Time: 0.1\n"
+    "10 20 30 40 50 60\n70 60 50 40 30 20\n100 50 40 30 20 10\n";
+
+TEST(Mirrored, FindsAnglesOfOtherOrders) {
+  const Motion motion = test::motion_of(kTwoOrders);
+  const Motion image = in_mirror(motion);
+  KinematicsOptions options;
+  options.tips = true;
+  const WorldPoses before = forward_kinematics(motion.skeleton, motion.clip, options);
+  const WorldPoses after = forward_kinematics(image.skeleton, image.clip, options);
+  for (std::size_t f = 0; f < 3; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double sign = k == 0 ? -1 : 1;
+      EXPECT_NEAR(after.tips[f * 6 + k], sign * before.tips[f * 6 + 3 + k], 1e-12);
+      EXPECT_NEAR(after.tips[f * 6 + 3 + k], sign * before.tips[f * 6 + k], 1e-12);
+    }
+  }
+  EXPECT_LT(compare_motions(in_mirror(image), motion).tip_distance.value, 1e-12);
+}
+
+TEST(Mirrored, RefusesAHalfThatCannotMoveSo) {
+  std::string text = kTwoOrders;
+  text.replace(text.find("3 Xrotation Yrotation Zrotation"), 31, "1 Xrotation");
+  for (const char* rest : {" 50 60", " 30 20", " 20 10"}) text.erase(text.find(rest), 6);
+  Diagnostics diagnostics;
+  const auto refused = mirrored(test::motion_of(text), 0, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "joint 'Right' cannot move as 'Left' does in the mirror");
+}
+
+/// A joint's axes that are turned by C, as in ASF files: C e.
+std::vector<DegreeOfFreedom> turned_axes(const Mat3& axes, std::size_t first) {
+  std::vector<DegreeOfFreedom> dofs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    dofs.push_back({DofKind::Rotation, axes.col(static_cast<Eigen::Index>(2 - k)).normalized(),
+                    first + 2 - k, 0});
+  }
+  return dofs;
+}
+
+TEST(Mirrored, CopiesAnglesAboutTurnedAxes) {
+  Motion motion;
+  Joint root;
+  root.name = "root";
+  Joint left;
+  left.name = "lfemur";
+  left.parent = 0;
+  left.offset = {1, -1, 0};
+  Joint right = left;
+  right.name = "rfemur";
+  right.offset = {-1, -1.1, 0};
+  const Mat3 c = Eigen::AngleAxisd(0.35, Vec3(0, 0, 1)).toRotationMatrix();
+  const Mat3 noise = Mat3::Constant(3e-15);
+  left.dofs = turned_axes(c, 0);
+  right.dofs = turned_axes(c.transpose() + noise, 3);
+  motion.skeleton.joints = {root, left, right};
+  for (std::size_t k = 0; k < 6; ++k) motion.skeleton.coordinates.push_back({1 + k / 3, "r"});
+  motion.clip.num_frames = 1;
+  motion.clip.num_coordinates = 6;
+  motion.clip.values = {11, 22, 33, 44, 55, 66};
+  EXPECT_EQ(in_mirror(motion).clip.values, (std::vector<double>{44, -55, -66, 11, -22, -33}));
+}
+
+TEST(Mirrored, WorksWhereJointsAreTurnedAtRest) {
+  // A robot's shoulders: both frames are turned alike at rest, so that they are not mirrored.
+  Motion motion;
+  Joint root;
+  root.name = "root";
+  root.dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  Joint left;
+  left.name = "left";
+  left.parent = 0;
+  left.offset = {1, 2, 0.5};
+  left.rest_rotation = Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+  left.dofs = {{DofKind::Rotation, Vec3::UnitZ(), 7, 0},
+               {DofKind::Rotation, Vec3::UnitX(), 8, 0},
+               {DofKind::Rotation, Vec3::UnitY(), 9, 0}};
+  const Vec3 tip(0.3, -2, 0.4);
+  left.tips = {{"", left.rest_rotation.conjugate() * tip}};
+  Joint right = left;
+  right.name = "right";
+  right.offset = across(left.offset);
+  right.tips = {{"", left.rest_rotation.conjugate() * across(tip)}};
+  for (DegreeOfFreedom& dof : right.dofs) dof.coordinate += 3;
+  motion.skeleton.joints = {root, left, right};
+  for (std::size_t k = 0; k < 13; ++k) motion.skeleton.coordinates.push_back({0, "q"});
+  motion.skeleton.coordinates[12].joint = 2;
+  motion.clip.num_frames = 1;
+  motion.clip.num_coordinates = 13;
+  motion.clip.values = {5, 6, 7, 0.5, 0.5, -0.5, 0.5, 10, 20, 30, 40, 50, 60};
+  const Motion image = in_mirror(motion);
+  EXPECT_EQ(image.clip.values[0], -5);
+  EXPECT_EQ(image.clip.values[4], 0.5);
+  EXPECT_EQ(image.clip.values[5], 0.5);
+  EXPECT_EQ(image.clip.values[6], -0.5);
+  KinematicsOptions options;
+  options.tips = true;
+  const WorldPoses before = forward_kinematics(motion.skeleton, motion.clip, options);
+  const WorldPoses after = forward_kinematics(image.skeleton, image.clip, options);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sign = k == 0 ? -1 : 1;
+    EXPECT_NEAR(after.tips[k], sign * before.tips[3 + k], 1e-12);
+    EXPECT_NEAR(after.tips[3 + k], sign * before.tips[k], 1e-12);
+  }
+}
+
+TEST(Mirrored, AddedPositionsAreMirroredWhereTheyAre) {
+  ReadOptions options;
+  options.positions = PositionMode::Add;
+  std::string text = test::bvh_with_rows({"1 2 3 4 5 6 7 8 9"});
+  text.replace(text.find("OFFSET 0 0 0"), 12, "OFFSET 5 1 2");
+  text.replace(text.find("OFFSET 1 2 3"), 12, "OFFSET 0 2 3");
+  const auto read = test::read_bvh(text, options);
+  const Motion image = in_mirror(read.motion());
+  EXPECT_LT((place_of(image, 0, "Hips") - Vec3(-6, 3, 5)).norm(), 1e-12);
+  EXPECT_LT((place_of(image, 0, "A") - across(place_of(read.motion(), 0, "A"))).norm(), 1e-12);
+}
+
+TEST(Mirrored, KeepsNumbersThatAreNotFinite) {
+  Motion walk = examples::make_walk({.num_frames = 3});
+  walk.clip.row(1)[4] = std::nan("");
+  const Motion image = in_mirror(walk);
+  EXPECT_TRUE(std::isnan(image.clip.row(1)[4]));
+  EXPECT_FALSE(std::isnan(image.clip.row(2)[4]));
+}
+
+TEST(Mirrored, NeedsNoFramesAndNoColumns) {
+  EXPECT_EQ(in_mirror(Motion{}).clip.num_frames, 0u);
+  EXPECT_EQ(in_mirror(examples::make_walk({.num_frames = 0})).clip.num_frames, 0u);
+  Motion still;
+  still.skeleton.joints.resize(2);
+  still.skeleton.joints[1].parent = 0;
+  still.skeleton.joints[1].offset = {1, 0, 0};
+  still.clip.num_frames = 2;
+  EXPECT_EQ(in_mirror(still).clip.num_frames, 2u);
+}
+
+TEST(GuessMirrorAxis, IsWhereTheNamedHalvesLieApart) {
+  EXPECT_EQ(guess_mirror_axis(examples::make_walk({.num_frames = 1}).skeleton), 0u);
+  EXPECT_EQ(guess_mirror_axis(star({{"left", {0, 1, 4}}, {"right", {0, 0, -4}}}).skeleton), 2u);
+  EXPECT_EQ(guess_mirror_axis(star({{"a", {0, 1, 4}}, {"b", {0, 0, -4}}}).skeleton), 0u);
+  EXPECT_EQ(guess_mirror_axis(Skeleton{}), 0u);
+}
+
+}  // namespace
+}  // namespace kinefile

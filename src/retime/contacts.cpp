@@ -11,11 +11,11 @@
 namespace kinefile {
 namespace {
 
-constexpr double kMostSpeed = 0.2;      // metres a second
-constexpr double kMostHeight = 0.04;    // metres above the ground
-constexpr double kLeastTime = 0.1;      // seconds
-constexpr double kGroundShare = 0.02;   // of all frames a foot point is no higher than the ground
-constexpr double kPersonHeight = 1.7;   // metres
+constexpr double kMostSpeed = 0.2;     // metres a second
+constexpr double kMostHeight = 0.04;   // metres above the ground
+constexpr double kLeastTime = 0.1;     // seconds
+constexpr double kGroundShare = 0.02;  // of all frames a foot point is no higher than the ground
+constexpr double kPersonHeight = 1.7;  // metres
 
 /// The length of a unit in metres: the skeleton's, or one by which the rest pose is a person.
 double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& diagnostics) {

@@ -46,8 +46,8 @@ std::vector<double> slopes_by(const std::vector<Knot>& knots, double most, Inner
   if (num_pieces < 2) return std::vector<double>(knots.size(), num_pieces ? secants.slopes[0] : 0);
   std::vector<double> slopes = {end_slope(secants, 0, 1, most)};
   for (std::size_t j = 1; j < num_pieces; ++j) {
-    slopes.push_back(inner(secants.widths[j - 1], secants.widths[j], secants.slopes[j - 1],
-                           secants.slopes[j]));
+    slopes.push_back(
+        inner(secants.widths[j - 1], secants.widths[j], secants.slopes[j - 1], secants.slopes[j]));
   }
   slopes.push_back(end_slope(secants, num_pieces - 1, num_pieces - 2, most));
   return slopes;

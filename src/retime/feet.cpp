@@ -79,9 +79,8 @@ FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points
       }
       for (std::size_t p = 0; p < points.size(); ++p) {
         const Vec3 position =
-            points[p].is_tip
-                ? point_at(poses.tips, row * poses.num_tips + points[p].tip)
-                : point_at(poses.positions, row * poses.num_joints + points[p].joint);
+            points[p].is_tip ? point_at(poses.tips, row * poses.num_tips + points[p].tip)
+                             : point_at(poses.positions, row * poses.num_joints + points[p].joint);
         tracks.positions[p].push_back(position);
         feet.add(position);
       }

@@ -62,8 +62,7 @@ Result<TimeMap> map_by_times(const std::vector<double>& times, double step) {
   if (!count) return fail(count.error());
   map.old_frames.reserve(*count);
   for (std::size_t n = 0; n + 1 < *count; ++n) {
-    map.old_frames.push_back(
-        frame_at_time(times, times.front() + static_cast<double>(n) * step));
+    map.old_frames.push_back(frame_at_time(times, times.front() + static_cast<double>(n) * step));
   }
   map.old_frames.push_back(static_cast<double>(times.size() - 1));
   return map;
@@ -88,8 +87,8 @@ Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
   auto map = has_own_times(clip) ? map_by_times(clip.timeline.times, 1 / frame_rate)
                                  : map_by_ratio(clip.num_frames, old_rate, frame_rate);
   if (map) {
-    map->timeline = Timeline{
-        Timeline::Given::FrameRate, frame_rate, clip.timeline.first_frame_number, {}};
+    map->timeline =
+        Timeline{Timeline::Given::FrameRate, frame_rate, clip.timeline.first_frame_number, {}};
   }
   return map;
 }
@@ -101,8 +100,8 @@ Result<TimeMap> speed_map(const Clip& clip, double speed) {
   if (!has_own_times(clip)) return map_by_ratio(clip.num_frames, speed, 1);
   const double step = frame_time(clip.timeline) * speed;
   if (!is_positive(step)) {
-    return refuse(fmt::format("expected a motion with a frame time, found {}",
-                              frame_time(clip.timeline)));
+    return refuse(
+        fmt::format("expected a motion with a frame time, found {}", frame_time(clip.timeline)));
   }
   auto map = map_by_times(clip.timeline.times, step);
   if (map) {

@@ -34,7 +34,8 @@ Result<TimeMap> map_by_ratio(std::size_t num_old_frames, double numerator, doubl
   map.old_frames.reserve(*count);
   for (std::size_t n = 0; n + 1 < *count; ++n) {
     // Multiplying first keeps whole frames whole.
-    const double old_frame = static_cast<double>(n) * numerator / denominator;
+    const double old_frame =
+        retiming::on_whole_frame(static_cast<double>(n) * numerator / denominator);
     map.old_frames.push_back(std::min(old_frame, last_frame));
   }
   map.old_frames.push_back(last_frame);

@@ -184,7 +184,9 @@ double between_knots(const Plan& plan, std::size_t j, double frame) {
   if (!plan.slopes.empty()) {
     return retiming::cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame);
   }
-  if (plan.ease.kind == Ease::Kind::None) return retiming::straight_at(from, to, frame);
+  if (plan.ease.kind == Ease::Kind::None) {
+    return retiming::on_whole_frame(retiming::straight_at(from, to, frame));
+  }
   return from.y + ease_at(plan.ease, (frame - from.x) / (to.x - from.x)) * (to.y - from.y);
 }
 
@@ -209,7 +211,8 @@ void add_interval(const Plan& plan, std::size_t j, double last_frame,
 void add_tail(const Knot& from, const StraightTail& tail, std::vector<double>& old_frames) {
   while (static_cast<double>(old_frames.size()) <= tail.end) {
     const auto frame = static_cast<double>(old_frames.size());
-    const double old_frame = from.y + (frame - from.x) * tail.rise / tail.run;
+    const double old_frame =
+        retiming::on_whole_frame(from.y + (frame - from.x) * tail.rise / tail.run);
     old_frames.push_back(frame == tail.end ? tail.end_old
                                            : std::clamp(old_frame, std::min(from.y, tail.end_old),
                                                         std::max(from.y, tail.end_old)));

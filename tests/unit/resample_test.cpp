@@ -61,7 +61,7 @@ TEST(NominalFrameRate, TelevisionHasRatesOfItsOwn) {
 TEST(NominalFrameRate, OtherTimesAreTakenAtTheirWord) {
   EXPECT_EQ(nominal(0.03), 1 / 0.03);
   EXPECT_EQ(nominal(0.033), 1 / 0.033);
-  EXPECT_EQ(nominal(0.012345), 1 / 0.012345);
+  EXPECT_EQ(nominal(0.01237), 1 / 0.01237);
   EXPECT_EQ(nominal(2.5), 1 / 2.5);
   EXPECT_EQ(nominal(1e-12), 1 / 1e-12);
   EXPECT_EQ(nominal_frame_rate({Timeline::Given::FrameRate, 29.97, 0, {}}), 29.97);

@@ -102,9 +102,9 @@ Result<TimeMap> speed_map(const Clip& clip, double speed);
 
 /// Tells where time may stretch without being noticed: 1 where a foot is on the ground, 0 where
 /// none is, so that flight keeps its gravity. Feet are found by their joints' names (foot, toe,
-/// ankle, ball), each by the joints furthest from the root that are called so, or their tips. A
-/// foot is on the ground while one of these moves slower than 0.2 m/s and lies less than 4 cm above
-/// the ground, for 0.1 s or longer; the ground is where it is lowest in two frames of a hundred.
+/// ankle, ball), each by the joints furthest from the root that are called so, and their tips.
+/// A foot is on the ground while one of these moves slower than 0.2 m/s and lies less than 4 cm
+/// above where it is lowest in two frames of a hundred, for 0.1 s or longer.
 /// Up is y, or z where the body is further along z from the feet than along the other axes.
 /// Where the motion has no unit of length, the rest pose is taken to be 1.7 m high (RTM006).
 /// \returns the weights; shape (frames)

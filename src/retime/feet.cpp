@@ -56,9 +56,9 @@ std::vector<FootPoint> find_foot_points(const Skeleton& skeleton) {
   std::vector<FootPoint> points;
   for (std::size_t j = 0; j < num_joints; ++j) {
     if (!is_foot[j] || has_foot_below[j]) continue;
+    points.push_back({j, false, 0});
     const std::size_t num_own_tips = skeleton.joints[j].tips.size();
     for (std::size_t t = 0; t < num_own_tips; ++t) points.push_back({j, true, first_tips[j] + t});
-    if (num_own_tips == 0) points.push_back({j, false, 0});
   }
   return points;
 }

@@ -16,8 +16,8 @@ struct FootPoint {
 };
 
 /// The points of a skeleton's feet, found by the names of joints: of those that are called foot,
-/// toe, ankle or ball (in any case) or in Japanese, the ones furthest from the root; their tips
-/// where they have any.
+/// toe, ankle or ball (in any case) or in Japanese, the ones furthest from the root, and their
+/// tips: of a toe, the ball of the foot rests longer than the tip.
 std::vector<FootPoint> find_foot_points(const Skeleton& skeleton);
 
 /// Where the feet are over a clip, and where the body is above them.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Maps held against tables of old frames that another program made from the same formulas.
+// Maps held against tables of old frames that another program made from the same formulas, and
+// feet on the ground in a real walk.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "kinefile/retime.hpp"
@@ -45,6 +47,17 @@ TEST(WarpTables, AreMet) {
   options.tail = Tail::Keep;
   options.keys = {{150, 140}};
   expect_table("table_150to140_keep450.csv", options);
+}
+
+TEST(ContactWeights, ARealWalkTouchesTheGround) {
+  SKIP_WITHOUT_DATA();
+  const auto read =
+      test::read_bvh(test::bytes_of(test::data_folder() + "/acclaim/cgspeed_bvh/05_01.bvh"));
+  Diagnostics diagnostics;
+  const auto weights = contact_weights(read.motion(), diagnostics);
+  ASSERT_TRUE(weights) << to_string(weights.error());
+  const auto num_contacts = std::count(weights->begin(), weights->end(), 1.0);
+  EXPECT_NEAR(static_cast<double>(num_contacts) / static_cast<double>(weights->size()), 0.41, 0.02);
 }
 
 }  // namespace

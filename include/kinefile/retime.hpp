@@ -25,17 +25,20 @@ struct WarpKey {
 
 /// What happens after the last key.
 enum class Tail {
-  Keep,     ///< the motion keeps its length: its last frame stays where it is
+  Keep,     ///< the motion keeps its length: its last frame stays where it is, as a key
   Extend,   ///< the rest is played as fast as it was, so that the length changes
-  Uniform,  ///< the rest is played at the average rate of the last interval between keys
+  Uniform,  ///< the rest is played at the average rate of the last interval between keys; after
+            ///< one that runs backwards, to the first frame
 };
 
-/// The curve through the keys.
+/// The curve through the keys, as monotone as they are. A tail that does not keep the length is
+/// straight; a smooth curve goes over into it as smoothly as it may without turning back.
 enum class WarpCurve {
   Linear,   ///< straight pieces: the rate steps at the keys
   Pchip,    ///< Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984): smooth, monotone
   Steffen,  ///< Steffen, Astron. Astrophys. 239 (1990): smooth, monotone
-  Hermite,  ///< as Pchip, but with rate 1 at both ends, to join unwarped playback
+  Hermite,  ///< as Pchip, but with rate 1 at both ends (at most three times that of the interval),
+            ///< to join unwarped playback
 };
 
 /// How an interval between two keys is run through: u in [0, 1] becomes ease(u).
@@ -44,7 +47,7 @@ struct Ease {
     None,      ///< u
     Smooth,    ///< 3u^2 - 2u^3
     Smoother,  ///< 6u^5 - 15u^4 + 10u^3
-    In,        ///< u^power
+    In,        ///< u^power; power > 0
     Out,       ///< 1 - (1 - u)^power
     InOut,     ///< u^power up to the middle, mirrored after it
     Bezier,    ///< the CSS curve cubic-bezier(x1, y1, x2, y2)
@@ -65,50 +68,65 @@ struct WarpOptions {
   std::vector<WarpKey> keys = {};  ///< in any order; 0:0 is implied where no key has new frame 0
   Tail tail = Tail::Keep;
   WarpCurve curve = WarpCurve::Linear;
-  Ease ease = {};              ///< within every interval between keys; with WarpCurve::Linear only
+  Ease ease = {};              ///< within every interval between keys, the implied ones included,
+                               ///< not in a tail; with WarpCurve::Linear only
   bool allow_hold = false;     ///< keys may repeat an old frame
-  bool allow_reverse = false;  ///< keys may go back in the old motion
+  bool allow_reverse = false;  ///< keys, and eases that overshoot, may go back in the old motion
   /// How readily time stretches at each old frame: 0 keeps its rate, 1 changes it most (see
-  /// `contact_weights`); shape (old frames); empty: everywhere alike.
+  /// `contact_weights`), none below 0; shape (old frames); empty: everywhere alike. With
+  /// WarpCurve::Linear and no ease only: weights say by themselves how time runs between keys.
   std::vector<double> weights = {};
 };
 
 /// Finds the map through keys, for a motion of so many frames.
 /// Sources: the format document "forward kinematics and time warping" (piecewise linear);
-/// dn/ds = 1 + c(s) k for the weights c, with k such that the keys are met.
+/// dn/ds = 1 + c(s) k for the weights c, with k such that the keys are met; between two old frames
+/// their mean weight counts.
+/// Where the exact old frame is a whole one, that is what is found. The last new frame is the last
+/// whole one: with a tail that does not keep the length it need not show the motion's end.
 /// \errors RTM001 (Usage) if the keys do not give a map: out of the motion, out of order, a hold
-///         or a reversal that is not allowed, no room for them
+///         or a reversal that is not allowed, no room for them; or more frames than 2^31
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options);
 
 /// The map to another frame rate: the same duration, the end included. Where the duration is no
 /// whole number of new frames, a last frame that shows the end is added.
-/// Frame times that were cut off from a whole rate (0.0083333) stand for that rate.
-/// \errors RTM002 (Usage) if there would be more frames than 2^31
+/// Frame times that were cut off from a whole rate (0.0083333) stand for that rate, see
+/// `nominal_frame_rate`; frames with times of their own are found by these.
+/// \errors RTM002 (Usage) if the rate is not above 0, if there would be more frames than 2^31, or
+///         if the frames' own times go back
 Result<TimeMap> resample_map(const Clip& clip, double frame_rate);
 
 /// The map that plays a motion so many times as fast, the end included as in `resample_map`.
-/// \errors RTM002 (Usage) if there would be more frames than 2^31
+/// \errors RTM002 (Usage) as in `resample_map`
 Result<TimeMap> speed_map(const Clip& clip, double speed);
 
 /// Tells where time may stretch without being noticed: 1 where a foot is on the ground, 0 where
-/// none is, so that flight keeps its gravity. A foot is on the ground while its lowest part moves
-/// slower than 0.2 m/s and lies less than 4 cm above the ground, for 0.1 s or longer.
-/// Where the motion has no unit of length, the rest pose is taken to be 1.7 m high.
-/// \errors RTM003 if no foot is found
+/// none is, so that flight keeps its gravity. Feet are found by their joints' names (foot, toe,
+/// ankle, ball), each by the joints furthest from the root that are called so, and their tips.
+/// A foot is on the ground while one of these moves slower than 0.2 m/s and lies less than 4 cm
+/// above where it is lowest in two frames of a hundred, for 0.1 s or longer.
+/// Up is y, or z where the body is further along z from the feet than along the other axes.
+/// Where the motion has no unit of length, the rest pose is taken to be 1.7 m high (RTM006).
+/// \returns the weights; shape (frames)
+/// \errors RTM003 (Usage) if no foot is found
 Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics);
 
 /// What two frames are compared by when two motions are aligned.
 struct AlignOptions {
   enum class By {
     Angles,  ///< how the joints are turned in their parents' frames
-    Points,  ///< where the joints are, after the best move on the ground
+    Points,  ///< where the joints are, after the best move on the ground; y is up
   };
   By by = By::Angles;
 };
 
 /// Finds the map that brings `motion` onto `reference`, by dynamic time warping: as many frames as
-/// the reference has and its timeline. The map never goes back, and is smooth.
-/// Joints are matched by name.
+/// the reference has and its timeline. The first frames and the last ones meet; in between the map
+/// rises everywhere and is smooth. Joints are matched by name.
+/// Long motions are compared at 1500 evenly spread frames each, at fewer where there are very many
+/// joints. No more than three of these stand still in one motion while the other moves on; where
+/// one has over three times as many as the other, twice that ratio is allowed.
+/// A motion of one frame shows that frame throughout.
 /// Sources: Sakoe and Chiba, IEEE Trans. ASSP 26 (1978); Kovar, Gleicher and Pighin, SIGGRAPH 2002
 /// (the distance of point clouds).
 /// \errors RTM004 (Usage) if no joint is in both, or a motion has no frames

@@ -25,6 +25,11 @@ double frame_time(const Timeline& timeline);
 /// Frames a second.
 double frame_rate(const Timeline& timeline);
 
+/// Frames a second, meant rather than written: a frame time with three digits or more that was cut
+/// off or rounded from that of a whole rate (0.0083333), or of 24, 30, 60 or 120 by 1.001, stands
+/// for that rate. Otherwise as `frame_rate`.
+double nominal_frame_rate(const Timeline& timeline);
+
 /// The time of a frame in seconds: frame x frame time, never accumulated; or the frame's own time.
 double time_of_frame(const Timeline& timeline, std::size_t frame);
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/kinematics.hpp"
+#include "kinefile/retime.hpp"
+#include "retime/feet.hpp"
+
+namespace kinefile {
+namespace {
+
+constexpr double kMostSpeed = 0.2;     // metres a second
+constexpr double kMostHeight = 0.04;   // metres above the ground
+constexpr double kLeastTime = 0.1;     // seconds
+constexpr double kGroundShare = 0.02;  // of all frames a foot point is no higher than the ground
+constexpr double kPersonHeight = 1.7;  // metres
+
+/// The length of a unit in metres: the skeleton's, or one by which the rest pose is a person.
+double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& diagnostics) {
+  if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
+  const Box box = world_extent(skeleton, rest_clip(skeleton));
+  const auto axis = static_cast<Eigen::Index>(up);
+  const double height = box.max[axis] - box.min[axis];
+  Diagnostic note;
+  note.severity = Severity::Note;
+  note.code = "RTM006";
+  if (!(height > 0)) {
+    note.message =
+        "the motion has no unit of length, and its rest pose no height; its unit is taken to be "
+        "the metre";
+    diagnostics.add(std::move(note));
+    return 1;
+  }
+  note.message = fmt::format(
+      "the motion has no unit of length; its rest pose, {:.6g} units high, is taken to be {} m",
+      height, kPersonHeight);
+  diagnostics.add(std::move(note));
+  return kPersonHeight / height;
+}
+
+/// The height that one in fifty frames stays below: the lowest one would be a foot that was
+/// measured or animated into the ground.
+double ground_height(const std::vector<Vec3>& track, Eigen::Index up) {
+  std::vector<double> heights;
+  for (const Vec3& position : track) {
+    if (position.allFinite()) heights.push_back(position[up]);
+  }
+  if (heights.empty()) return 0;
+  const auto rank =
+      static_cast<std::ptrdiff_t>(kGroundShare * static_cast<double>(heights.size() - 1));
+  std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
+  return heights[static_cast<std::size_t>(rank)];
+}
+
+/// Units a second at a frame, between its neighbours.
+double speed_at(const std::vector<Vec3>& track, const Timeline& timeline, std::size_t frame) {
+  const std::size_t before = frame > 0 ? frame - 1 : frame;
+  const std::size_t after = std::min(frame + 1, track.size() - 1);
+  const double time = time_of_frame(timeline, after) - time_of_frame(timeline, before);
+  return (track[after] - track[before]).norm() / time;
+}
+
+/// Marks the frames in which a point rests on the ground for long enough.
+void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eigen::Index up,
+                   double metres, std::vector<double>& weights) {
+  const double highest = ground_height(track, up) + kMostHeight / metres;
+  const auto rests = [&](std::size_t frame) {
+    return track[frame][up] < highest && speed_at(track, timeline, frame) < kMostSpeed / metres;
+  };
+  constexpr double kRounding = 1e-9;
+  for (std::size_t frame = 0; frame < track.size();) {
+    std::size_t end = frame;
+    while (end < track.size() && rests(end)) ++end;
+    if (end == frame) {
+      ++frame;
+      continue;
+    }
+    const double time = time_of_frame(timeline, end - 1) - time_of_frame(timeline, frame);
+    if (time >= kLeastTime - kRounding) {
+      std::fill(weights.begin() + static_cast<std::ptrdiff_t>(frame),
+                weights.begin() + static_cast<std::ptrdiff_t>(end), 1.0);
+    }
+    frame = end;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics) {
+  const auto points = retiming::find_foot_points(motion.skeleton);
+  if (points.empty()) {
+    return fail(make_error(ErrorKind::Usage, "RTM003",
+                           "expected a joint whose name says that it is a foot (foot, toe, ankle, "
+                           "ball), found none"));
+  }
+  const retiming::FootTracks tracks = retiming::track_feet(motion, points);
+  const std::size_t up = retiming::up_axis(tracks);
+  const double metres = metres_per_unit(motion.skeleton, up, diagnostics);
+  std::vector<double> weights(motion.clip.num_frames, 0.0);
+  for (const auto& track : tracks.positions) {
+    mark_contacts(track, motion.clip.timeline, static_cast<Eigen::Index>(up), metres, weights);
+  }
+  return weights;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinefile/retime.hpp"
+
+namespace kinefile::retiming {
+
+/// Whether the numbers of an ease make sense: a positive power, a Bezier curve that is a function.
+bool is_valid(const Ease& ease);
+
+/// Whether an ease runs backwards somewhere, as Bezier curves with overshoot do.
+bool goes_back(const Ease& ease);
+
+}  // namespace kinefile::retiming

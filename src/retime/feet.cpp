@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "retime/feet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile::retiming {
+namespace {
+
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+bool is_called_foot(const std::string& name) {
+  const std::string lower = lower_case(name);
+  const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
+  const bool is_ball = has("ball") && !has("eye");
+  return has("foot") || has("toe") || has("ankle") || is_ball || has("\u8db3");
+}
+
+/// The mean of points that are finite.
+struct Mean {
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+
+  void add(const Vec3& point) {
+    if (!point.allFinite()) return;
+    sum += point;
+    ++count;
+  }
+  Vec3 value() const { return count > 0 ? Vec3(sum / count) : Vec3::Zero(); }
+};
+
+Vec3 point_at(const std::vector<double>& points, std::size_t index) {
+  return {points[index * 3], points[index * 3 + 1], points[index * 3 + 2]};
+}
+
+}  // namespace
+
+std::vector<FootPoint> find_foot_points(const Skeleton& skeleton) {
+  const std::size_t num_joints = skeleton.joints.size();
+  std::vector<bool> is_foot(num_joints);
+  std::vector<bool> has_foot_below(num_joints);
+  for (std::size_t j = num_joints; j-- > 0;) {  // children before their parents
+    is_foot[j] = is_called_foot(skeleton.joints[j].name);
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (parent != kNoParent && (is_foot[j] || has_foot_below[j])) has_foot_below[parent] = true;
+  }
+  const auto first_tips = first_tips_of_joints(skeleton);
+  std::vector<FootPoint> points;
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    if (!is_foot[j] || has_foot_below[j]) continue;
+    points.push_back({j, false, 0});
+    const std::size_t num_own_tips = skeleton.joints[j].tips.size();
+    for (std::size_t t = 0; t < num_own_tips; ++t) points.push_back({j, true, first_tips[j] + t});
+  }
+  return points;
+}
+
+FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points) {
+  FootTracks tracks;
+  tracks.positions.resize(points.size());
+  Mean body;
+  Mean feet;
+  KinematicsOptions options;
+  options.num_frames = frames_per_block(motion.skeleton);
+  options.tips = true;
+  for (; options.first_frame < motion.clip.num_frames; options.first_frame += options.num_frames) {
+    const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
+    for (std::size_t row = 0; row < poses.num_frames; ++row) {
+      for (std::size_t j = 0; j < poses.num_joints; ++j) {
+        body.add(point_at(poses.positions, row * poses.num_joints + j));
+      }
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        const Vec3 position =
+            points[p].is_tip ? point_at(poses.tips, row * poses.num_tips + points[p].tip)
+                             : point_at(poses.positions, row * poses.num_joints + points[p].joint);
+        tracks.positions[p].push_back(position);
+        feet.add(position);
+      }
+    }
+  }
+  tracks.body_from_feet = body.value() - feet.value();
+  return tracks;
+}
+
+std::size_t up_axis(const FootTracks& tracks) {
+  const Vec3 distance = tracks.body_from_feet.cwiseAbs();
+  return distance.z() > distance.y() && distance.z() > distance.x() ? 2 : 1;
+}
+
+}  // namespace kinefile::retiming

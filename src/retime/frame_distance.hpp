@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+
+namespace kinefile::retiming {
+
+/// How the joints of some frames are turned; what frames are compared by.
+struct FrameAngles {
+  std::size_t num_joints = 0;
+  std::vector<double> rotations;  ///< [frame][joint][4], in the parents' frames
+};
+
+/// Where the joints of some frames are, with their mean on the ground (y is up) taken off.
+struct FramePoints {
+  std::size_t num_joints = 0;
+  std::vector<double> points;   ///< [frame][joint][3]
+  std::vector<double> spreads;  ///< [frame], the sum of squared distances from the mean
+};
+
+/// \param joints  which, in this order
+FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
+FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
+
+/// The sum of the squared angles, in radians, between the joints of two frames; 0 for equal ones.
+double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,
+                std::size_t frame_b);
+
+/// The sum of the squared distances between the joints of two frames after the best turn and
+/// shift of one of them on the ground; 0 for equal ones.
+/// Source: Kovar, Gleicher and Pighin, SIGGRAPH 2002, with weights of 1. With the means at 0 the
+/// best turn is by atan2(s, c), where c = sum(x x' + z z') and s = sum(x z' - x' z), and what is
+/// left on the ground is sum(x^2 + z^2) + sum(x'^2 + z'^2) - 2 sqrt(c^2 + s^2).
+double distance(const FramePoints& a, std::size_t frame_a, const FramePoints& b,
+                std::size_t frame_b);
+
+}  // namespace kinefile::retiming

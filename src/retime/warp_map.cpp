@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/retime.hpp"
+#include "retime/curves.hpp"
+#include "retime/ease.hpp"
+#include "retime/frames.hpp"
+#include "retime/stretch.hpp"
+
+namespace kinefile {
+namespace {
+
+using retiming::Knot;  // x: the new frame, y: the old one
+
+/// What follows the last knot: a straight line.
+struct StraightTail {
+  double rise = 1;  ///< old frames
+  double run = 1;   ///< in so many new frames
+  double end = 0;   ///< the new frame at which it reaches the end of the motion
+  double end_old = 0;
+};
+
+/// A map before it is asked for its frames.
+struct Plan {
+  std::vector<Knot> knots;
+  std::vector<double> slopes = {};  ///< at the knots; empty: straight pieces, eased
+  Ease ease = {};
+  bool is_curve_monotone = true;  ///< between any two knots
+  StraightTail tail = {};
+};
+
+tl::unexpected<Error> refuse(std::string message) {
+  return fail(make_error(ErrorKind::Usage, "RTM001", std::move(message)));
+}
+
+std::string text_of(const Knot& key) { return fmt::format("{}:{}", key.y, key.x); }
+
+Result<void> check_key(const Knot& key, double last_frame) {
+  if (!(key.y >= 0 && key.y <= last_frame)) {
+    return refuse(fmt::format("expected an old frame from 0 to {}, found the key {}", last_frame,
+                              text_of(key)));
+  }
+  if (!(key.x >= 0 && key.x < retiming::kMostFrames)) {
+    return refuse(
+        fmt::format("expected a new frame from 0 to 2147483647, found the key {}", text_of(key)));
+  }
+  return {};
+}
+
+/// The keys by their new frames, the implied 0:0 among them.
+Result<std::vector<Knot>> sorted_keys(const WarpOptions& options, double last_frame) {
+  std::vector<Knot> keys;
+  for (const WarpKey& key : options.keys) {
+    keys.push_back({key.new_frame + 0.0, key.old_frame + 0.0});  // -0 becomes 0
+    auto checked = check_key(keys.back(), last_frame);
+    if (!checked) return fail(std::move(checked.error()));
+  }
+  const auto is_first = [](const Knot& key) { return key.x == 0; };
+  if (std::none_of(keys.begin(), keys.end(), is_first)) keys.insert(keys.begin(), Knot{0, 0});
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const Knot& a, const Knot& b) { return a.x < b.x; });
+  return keys;
+}
+
+/// Adds the last frame as a key, which keeps the length.
+Result<void> keep_length(std::vector<Knot>& keys, double last_frame) {
+  const Knot last = keys.back();
+  if (last.x == last_frame && last.y == last_frame) return {};
+  if (last.x >= last_frame) {
+    return refuse(fmt::format(
+        "expected keys before the new frame {}, at which a motion that keeps its length ends, "
+        "found {}; --tail extend lets the length change",
+        last_frame, text_of(last)));
+  }
+  keys.push_back({last_frame, last_frame});
+  return {};
+}
+
+Result<void> check_interval(const Knot& from, const Knot& to, const WarpOptions& options) {
+  constexpr double kLeastWidth = 1e-9;  // narrower ones are one frame, written twice
+  if (to.x - from.x < kLeastWidth) {
+    return refuse(fmt::format("expected one key for the new frame {}, found {} and {}", to.x,
+                              text_of(from), text_of(to)));
+  }
+  if (to.y == from.y && !options.allow_hold) {
+    return refuse(
+        fmt::format("expected keys that go on in the old motion, found {} and {}, between which it "
+                    "stands still; --allow-hold allows it",
+                    text_of(from), text_of(to)));
+  }
+  if (to.y < from.y && !options.allow_reverse) {
+    return refuse(
+        fmt::format("expected keys that go on in the old motion, found {} and {}, between which it "
+                    "runs backwards; --allow-reverse allows it",
+                    text_of(from), text_of(to)));
+  }
+  return {};
+}
+
+Result<void> check_ease(const WarpOptions& options) {
+  const bool is_eased = options.ease.kind != Ease::Kind::None;
+  const bool is_straight = options.curve == WarpCurve::Linear;
+  if (!retiming::is_valid(options.ease)) {
+    return refuse(
+        "expected an ease with a positive power, or with x1 and x2 from 0 to 1, found other "
+        "numbers");
+  }
+  if (is_eased && !is_straight) {
+    return refuse("expected an ease with the linear curve alone, found another curve");
+  }
+  if (!options.weights.empty() && (is_eased || !is_straight)) {
+    return refuse(
+        "expected no ease and no curve beside weights, which say by themselves how time runs "
+        "between keys");
+  }
+  if (retiming::goes_back(options.ease) && !options.allow_reverse) {
+    return refuse(
+        "expected an ease that does not go back, found one that overshoots; --allow-reverse "
+        "allows it");
+  }
+  return {};
+}
+
+Result<void> check_weights(const std::vector<double>& weights, std::size_t num_frames) {
+  if (weights.empty()) return {};
+  if (weights.size() != num_frames) {
+    return refuse(fmt::format("expected a weight for each of {} frames, found {}", num_frames,
+                              weights.size()));
+  }
+  const auto is_bad = [](double weight) { return !(weight >= 0 && std::isfinite(weight)); };
+  if (std::any_of(weights.begin(), weights.end(), is_bad)) {
+    return refuse("expected weights of 0 or more, found another");
+  }
+  return {};
+}
+
+/// What follows the last key where the motion does not keep its length.
+Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double last_frame) {
+  StraightTail tail;
+  const Knot last = keys.back();
+  if (kind == Tail::Uniform && keys.size() > 1) {
+    tail.rise = last.y - keys[keys.size() - 2].y;
+    tail.run = last.x - keys[keys.size() - 2].x;
+  }
+  if (tail.rise == 0) {
+    return refuse(
+        fmt::format("expected a last interval that moves on, found one that stands still up to "
+                    "{}; the uniform tail would never end",
+                    text_of(last)));
+  }
+  tail.end_old = tail.rise > 0 ? last_frame : 0;
+  const double end = last.x + (tail.end_old - last.y) * tail.run / tail.rise;
+  tail.end = retiming::without_rounding(end);
+  if (!(tail.end < retiming::kMostFrames)) {
+    return refuse(
+        fmt::format("expected at most 2147483648 new frames, found keys that give {}", end));
+  }
+  return tail;
+}
+
+/// The slopes at the knots of a smooth curve; `tail_rate` is that of the line it goes over into.
+std::vector<double> slopes_for(const std::vector<Knot>& knots, WarpCurve curve,
+                               std::optional<double> tail_rate) {
+  if (curve == WarpCurve::Linear || knots.size() < 2) return {};
+  const bool is_steffen = curve == WarpCurve::Steffen;
+  std::vector<double> slopes =
+      is_steffen ? retiming::steffen_slopes(knots) : retiming::pchip_slopes(knots);
+  const std::size_t last = knots.size() - 1;
+  if (curve == WarpCurve::Hermite) {
+    slopes[0] = retiming::monotone_slope(1, knots[0], knots[1]);
+    if (!tail_rate) tail_rate = 1;
+  }
+  if (tail_rate) slopes[last] = retiming::monotone_slope(*tail_rate, knots[last - 1], knots[last]);
+  return slopes;
+}
+
+/// The old frame at a new one between the knots `j` and `j + 1`.
+double between_knots(const Plan& plan, std::size_t j, double frame) {
+  const Knot& from = plan.knots[j];
+  const Knot& to = plan.knots[j + 1];
+  if (!plan.slopes.empty()) {
+    return retiming::cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame);
+  }
+  if (plan.ease.kind == Ease::Kind::None) {
+    return retiming::on_whole_frame(retiming::straight_at(from, to, frame));
+  }
+  return from.y + ease_at(plan.ease, (frame - from.x) / (to.x - from.x)) * (to.y - from.y);
+}
+
+/// Adds the new frames from the knot `j` on, up to the next.
+void add_interval(const Plan& plan, std::size_t j, double last_frame,
+                  std::vector<double>& old_frames) {
+  const Knot& from = plan.knots[j];
+  const Knot& to = plan.knots[j + 1];
+  double previous = from.y;
+  while (static_cast<double>(old_frames.size()) < to.x) {
+    const auto frame = static_cast<double>(old_frames.size());
+    double old_frame = frame == from.x ? from.y : between_knots(plan, j, frame);
+    if (plan.is_curve_monotone) {  // in spite of rounding, too
+      old_frame = std::clamp(old_frame, std::min(previous, to.y), std::max(previous, to.y));
+    }
+    previous = old_frame;
+    old_frames.push_back(std::clamp(old_frame, 0.0, last_frame));
+  }
+}
+
+/// Adds the new frames from the last knot on, up to the end.
+void add_tail(const Knot& from, const StraightTail& tail, std::vector<double>& old_frames) {
+  while (static_cast<double>(old_frames.size()) <= tail.end) {
+    const auto frame = static_cast<double>(old_frames.size());
+    const double old_frame =
+        retiming::on_whole_frame(from.y + (frame - from.x) * tail.rise / tail.run);
+    old_frames.push_back(frame == tail.end ? tail.end_old
+                                           : std::clamp(old_frame, std::min(from.y, tail.end_old),
+                                                        std::max(from.y, tail.end_old)));
+  }
+}
+
+Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
+  const double last_frame = static_cast<double>(num_frames) - 1;
+  auto keys = sorted_keys(options, last_frame);
+  if (!keys) return fail(std::move(keys.error()));
+  if (options.tail == Tail::Keep) {
+    auto kept = keep_length(*keys, last_frame);
+    if (!kept) return fail(std::move(kept.error()));
+  }
+  for (std::size_t j = 0; j + 1 < keys->size(); ++j) {
+    auto checked = check_interval((*keys)[j], (*keys)[j + 1], options);
+    if (!checked) return fail(std::move(checked.error()));
+  }
+  Plan plan{std::move(*keys)};
+  plan.ease = options.ease;
+  plan.is_curve_monotone = !retiming::goes_back(options.ease);
+  plan.tail.end = plan.knots.back().x;
+  plan.tail.end_old = plan.knots.back().y;
+  std::optional<double> tail_rate;
+  if (options.tail != Tail::Keep) {
+    auto tail = tail_after(plan.knots, options.tail, last_frame);
+    if (!tail) return fail(std::move(tail.error()));
+    plan.tail = *tail;
+    tail_rate = tail->rise / tail->run;
+  }
+  plan.slopes = slopes_for(plan.knots, options.curve, tail_rate);
+  if (!options.weights.empty()) {
+    auto stretched = retiming::stretched_knots(plan.knots, options.weights);
+    if (!stretched) return fail(std::move(stretched.error()));
+    plan.knots = std::move(*stretched);
+  }
+  return plan;
+}
+
+}  // namespace
+
+Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
+  if (static_cast<double>(num_frames) > retiming::kMostFrames) {
+    return refuse(fmt::format("expected at most 2147483648 frames, found {}", num_frames));
+  }
+  if (num_frames == 0) {
+    if (options.keys.empty()) return TimeMap{};
+    return refuse("expected a motion with frames to set keys in, found one without");
+  }
+  for (auto checked : {check_ease(options), check_weights(options.weights, num_frames)}) {
+    if (!checked) return fail(std::move(checked.error()));
+  }
+  auto plan = plan_for(num_frames, options);
+  if (!plan) return fail(std::move(plan.error()));
+
+  const double last_frame = static_cast<double>(num_frames) - 1;
+  TimeMap map;
+  map.old_frames.reserve(static_cast<std::size_t>(plan->tail.end) + 1);
+  for (std::size_t j = 0; j + 1 < plan->knots.size(); ++j) {
+    add_interval(*plan, j, last_frame, map.old_frames);
+  }
+  add_tail(plan->knots.back(), plan->tail, map.old_frames);
+  return map;
+}
+
+}  // namespace kinefile

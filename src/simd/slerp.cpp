@@ -1,99 +1,293 @@
 // SPDX-License-Identifier: MIT
+// As forward_kinematics.cpp: plain loops over blocks, compiled once for every set of vector
+// instructions, and the same bits from each.
+
 #include "simd/slerp.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#ifdef __EMSCRIPTEN__
+#define HWY_COMPILE_ONLY_EMU128  // WebAssembly has no vectors of doubles in Highway 1.0
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/slerp.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/atan2-inl.hpp"
+#include "simd/sincos-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace kinefile::simd {
+namespace HWY_NAMESPACE {
+namespace {  // names that another kernel may have, too
+
+/// One number in every lane of a block.
+struct alignas(64) Row {
+  double v[kBlock];
+};
+
+using QuaternionRows = std::array<Row, 4>;
+
+/// Nearest to `near` of all angles that are whole turns apart; those are rounded off as in sincos.
+HWY_INLINE double nearest_turn(double angle, double near, double turn) {
+  const double turns = ((near - angle) * (1 / turn) + kRounder) - kRounder;
+  return angle + turns * turn;
+}
+
+HWY_INLINE void load(const Quaternions& from, std::size_t first, QuaternionRows& rows) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* HWY_RESTRICT numbers = from[k].data() + first;
+    for (std::size_t i = 0; i < kBlock; ++i) rows[k].v[i] = numbers[i];
+  }
+}
+
+HWY_INLINE void store(const QuaternionRows& rows, std::size_t first, Quaternions& to) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    double* HWY_RESTRICT numbers = to[k].data() + first;
+    for (std::size_t i = 0; i < kBlock; ++i) numbers[i] = rows[k].v[i];
+  }
+}
+
+void quaternions_of_block(const EulerForm& form, const Angles& angles, std::size_t first,
+                          Quaternions& quaternions) {
+  const double* HWY_RESTRICT a = angles[0].data() + first;
+  const double* HWY_RESTRICT b = angles[1].data() + first;
+  const double* HWY_RESTRICT c = angles[2].data() + first;
+  Row plus, minus, middle;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    plus.v[i] = 0.5 * (a[i] + form.sign * c[i]);
+    minus.v[i] = 0.5 * (a[i] - form.sign * c[i]);
+    middle.v[i] = 0.5 * (b[i] - form.shift);
+  }
+  Row sin_plus, cos_plus, sin_minus, cos_minus, sin_middle, cos_middle;
+  const auto sincos_of = form.is_in_degrees ? sincos_degrees : sincos_radians;
+  sincos_of(plus.v, sin_plus.v, cos_plus.v);
+  sincos_of(minus.v, sin_minus.v, cos_minus.v);
+  sincos_of(middle.v, sin_middle.v, cos_middle.v);
+  QuaternionRows q;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    q[0].v[i] = cos_middle.v[i] * cos_plus.v[i];
+    q[1].v[i] = cos_middle.v[i] * sin_plus.v[i];
+    q[2].v[i] = sin_middle.v[i] * cos_minus.v[i];
+    q[3].v[i] = sin_middle.v[i] * sin_minus.v[i];
+  }
+  store(q, first, quaternions);
+}
+
+/// What the angles of a block are found from, in the unit of the angles.
+struct HalfAngles {
+  Row plus;    ///< (a + sign c) / 2
+  Row minus;   ///< (a - sign c) / 2
+  Row middle;  ///< b - shift, not halved
+};
+
+/// \param near  what is taken in gimbal lock
+HWY_INLINE void half_angles(const EulerForm& form, const QuaternionRows& q, const HalfAngles& near,
+                            HalfAngles& found) {
+  constexpr double kLocked = 1e-13;
+  const double per_radian = form.is_in_degrees ? 180 / std::numbers::pi : 1;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double outer = std::sqrt(q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i]);
+    const double inner = std::sqrt(q[2].v[i] * q[2].v[i] + q[3].v[i] * q[3].v[i]);
+    const double plus = per_radian * atan2_of(q[1].v[i], q[0].v[i]);
+    const double minus = per_radian * atan2_of(q[3].v[i], q[2].v[i]);
+    found.plus.v[i] = outer <= kLocked * inner ? near.plus.v[i] : plus;
+    found.minus.v[i] = inner <= kLocked * outer ? near.minus.v[i] : minus;
+    found.middle.v[i] = 2 * per_radian * atan2_of(inner, outer);
+  }
+}
+
+void angles_of_block(const EulerForm& form, const Quaternions& quaternions, std::size_t first,
+                     Angles& angles) {
+  double* HWY_RESTRICT a = angles[0].data() + first;
+  double* HWY_RESTRICT b = angles[1].data() + first;
+  double* HWY_RESTRICT c = angles[2].data() + first;
+  QuaternionRows q;
+  HalfAngles near;
+  HalfAngles found;
+  load(quaternions, first, q);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    near.plus.v[i] = 0.5 * (a[i] + form.sign * c[i]);
+    near.minus.v[i] = 0.5 * (a[i] - form.sign * c[i]);
+  }
+  half_angles(form, q, near, found);
+  const double turn = form.is_in_degrees ? 360 : 2 * std::numbers::pi;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double outer_a = found.plus.v[i] + found.minus.v[i];
+    const double outer_c = form.sign * (found.plus.v[i] - found.minus.v[i]);
+    const double first_a = nearest_turn(outer_a, a[i], turn);
+    const double first_b = nearest_turn(form.shift + found.middle.v[i], b[i], turn);
+    const double first_c = nearest_turn(outer_c, c[i], turn);
+    // The same rotation by the other way around the middle axis.
+    const double second_a = nearest_turn(outer_a + 0.5 * turn, a[i], turn);
+    const double second_b = nearest_turn(form.shift - found.middle.v[i], b[i], turn);
+    const double second_c = nearest_turn(outer_c + 0.5 * turn, c[i], turn);
+    const double first_distance = (first_a - a[i]) * (first_a - a[i]) +
+                                  (first_b - b[i]) * (first_b - b[i]) +
+                                  (first_c - c[i]) * (first_c - c[i]);
+    const double second_distance = (second_a - a[i]) * (second_a - a[i]) +
+                                   (second_b - b[i]) * (second_b - b[i]) +
+                                   (second_c - c[i]) * (second_c - c[i]);
+    const bool is_second = second_distance < first_distance;
+    a[i] = is_second ? second_a : first_a;
+    b[i] = is_second ? second_b : first_b;
+    c[i] = is_second ? second_c : first_c;
+  }
+}
+
+/// The quaternions at both ends of places, the second on the side of the first.
+struct Ends {
+  QuaternionRows from;
+  QuaternionRows to;
+  Row cosine;  ///< of the angle between them, not below 0
+  Row t;
+};
+
+HWY_INLINE void load_ends(const Quaternions& quaternions, const Between* places, Ends& ends) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    ends.t.v[i] = places[i].t;
+    for (std::size_t k = 0; k < 4; ++k) {
+      ends.from[k].v[i] = quaternions[k][places[i].from];
+      ends.to[k].v[i] = quaternions[k][places[i].to];
+    }
+  }
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double cosine = ends.from[0].v[i] * ends.to[0].v[i] +
+                          ends.from[1].v[i] * ends.to[1].v[i] +
+                          ends.from[2].v[i] * ends.to[2].v[i] + ends.from[3].v[i] * ends.to[3].v[i];
+    const double side = cosine < 0 ? -1.0 : 1.0;
+    ends.cosine.v[i] = side * cosine;
+    for (std::size_t k = 0; k < 4; ++k) ends.to[k].v[i] *= side;
+  }
+}
+
+void slerp_block(const Quaternions& quaternions, const Between* places, std::size_t first,
+                 Quaternions& out) {
+  Ends ends;
+  load_ends(quaternions, places, ends);
+  Row sine, part, sin_part, cos_part;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    double square = 0;
+    // `to` becomes what of it lies across `from`.
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double across = ends.to[k].v[i] - ends.cosine.v[i] * ends.from[k].v[i];
+      ends.to[k].v[i] = across;
+      square += across * across;
+    }
+    sine.v[i] = std::sqrt(square);
+    part.v[i] = ends.t.v[i] * atan2_of(sine.v[i], ends.cosine.v[i]);
+  }
+  sincos_radians(part.v, sin_part.v, cos_part.v);
+  QuaternionRows q;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    constexpr double kNearlyEqual = 1e-8;  // the chord differs from the arc by less than a bit
+    const bool is_chord = sine.v[i] < kNearlyEqual;
+    const double along = is_chord ? ends.t.v[i] : sin_part.v[i];
+    const double scale = along / (is_chord ? 1.0 : sine.v[i]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      q[k].v[i] = cos_part.v[i] * ends.from[k].v[i] + scale * ends.to[k].v[i];
+    }
+  }
+  store(q, first, out);
+}
+
+void nlerp_block(const Quaternions& quaternions, const Between* places, std::size_t first,
+                 Quaternions& out) {
+  Ends ends;
+  load_ends(quaternions, places, ends);
+  QuaternionRows q;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      q[k].v[i] = (1 - ends.t.v[i]) * ends.from[k].v[i] + ends.t.v[i] * ends.to[k].v[i];
+    }
+  }
+  store(q, first, out);
+}
+
+void quaternions_of_all(const EulerForm& form, const Angles& angles, Quaternions& quaternions) {
+  for (std::size_t first = 0; first < angles[0].size(); first += kBlock) {
+    quaternions_of_block(form, angles, first, quaternions);
+  }
+}
+
+void angles_of_all(const EulerForm& form, const Quaternions& quaternions, Angles& angles) {
+  for (std::size_t first = 0; first < angles[0].size(); first += kBlock) {
+    angles_of_block(form, quaternions, first, angles);
+  }
+}
+
+void slerp_all(const Quaternions& quaternions, const std::vector<Between>& places,
+               Quaternions& out) {
+  for (std::size_t first = 0; first < places.size(); first += kBlock) {
+    slerp_block(quaternions, places.data() + first, first, out);
+  }
+}
+
+void nlerp_all(const Quaternions& quaternions, const std::vector<Between>& places,
+               Quaternions& out) {
+  for (std::size_t first = 0; first < places.size(); first += kBlock) {
+    nlerp_block(quaternions, places.data() + first, first, out);
+  }
+}
+
+void atan2_all(const double* HWY_RESTRICT y, const double* HWY_RESTRICT x, std::size_t count,
+               double* HWY_RESTRICT angles) {
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    for (std::size_t i = first; i < first + kBlock; ++i) angles[i] = atan2_of(y[i], x[i]);
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace kinefile::simd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace kinefile::simd {
 namespace {
 
-double nearest_turn(double angle, double near, double turn) {
-  return angle + turn * std::round((near - angle) / turn);
-}
+HWY_EXPORT(quaternions_of_all);
+HWY_EXPORT(angles_of_all);
+HWY_EXPORT(slerp_all);
+HWY_EXPORT(nlerp_all);
+HWY_EXPORT(atan2_all);
 
-template <class Weights>
-void interpolate(const Quaternions& quaternions, const std::vector<Between>& places,
-                 Quaternions& out, Weights weights) {
-  for (auto& component : out) component.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Between& place = places[i];
-    double cosine = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      cosine += quaternions[k][place.from] * quaternions[k][place.to];
-    }
-    const double side = cosine < 0 ? -1 : 1;
-    const auto [weight_from, weight_to] = weights(std::abs(cosine), place.t);
-    for (std::size_t k = 0; k < 4; ++k) {
-      out[k][i] =
-          weight_from * quaternions[k][place.from] + side * weight_to * quaternions[k][place.to];
-    }
-  }
+void resize(Quaternions& quaternions, std::size_t count) {
+  assert(count % kBlock == 0);
+  for (auto& component : quaternions) component.resize(count);
 }
 
 }  // namespace
 
 void quaternions_of_angles(const EulerForm& form, const Angles& angles, Quaternions& quaternions) {
-  const double unit = form.is_in_degrees ? std::numbers::pi / 180 : 1;
-  const std::size_t count = angles[0].size();
-  for (auto& component : quaternions) component.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double p = 0.5 * unit * (angles[0][i] + form.sign * angles[2][i]);
-    const double m = 0.5 * unit * (angles[0][i] - form.sign * angles[2][i]);
-    const double b = 0.5 * unit * (angles[1][i] - form.shift);
-    quaternions[0][i] = std::cos(b) * std::cos(p);
-    quaternions[1][i] = std::cos(b) * std::sin(p);
-    quaternions[2][i] = std::sin(b) * std::cos(m);
-    quaternions[3][i] = std::sin(b) * std::sin(m);
-  }
+  resize(quaternions, angles[0].size());
+  HWY_DYNAMIC_DISPATCH(quaternions_of_all)(form, angles, quaternions);
 }
 
-void angles_of_quaternions(const EulerForm& form, const Quaternions& q, Angles& angles) {
-  const double unit = form.is_in_degrees ? std::numbers::pi / 180 : 1;
-  const double turn = form.is_in_degrees ? 360 : 2 * std::numbers::pi;
-  for (std::size_t i = 0; i < angles[0].size(); ++i) {
-    const double near[3] = {angles[0][i], angles[1][i], angles[2][i]};
-    const double outer = std::hypot(q[0][i], q[1][i]);
-    const double inner = std::hypot(q[2][i], q[3][i]);
-    constexpr double kLocked = 1e-13;
-    const double p = outer <= kLocked * inner ? 0.5 * (near[0] + form.sign * near[2])
-                                              : std::atan2(q[1][i], q[0][i]) / unit;
-    const double m = inner <= kLocked * outer ? 0.5 * (near[0] - form.sign * near[2])
-                                              : std::atan2(q[3][i], q[2][i]) / unit;
-    const double b = 2 * std::atan2(inner, outer) / unit;
-    const double a = p + m;
-    const double c = form.sign * (p - m);
-    const double first[3] = {nearest_turn(a, near[0], turn),
-                             nearest_turn(form.shift + b, near[1], turn),
-                             nearest_turn(c, near[2], turn)};
-    const double second[3] = {nearest_turn(a + turn / 2, near[0], turn),
-                              nearest_turn(form.shift - b, near[1], turn),
-                              nearest_turn(c + turn / 2, near[2], turn)};
-    double nearer = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      nearer += (second[k] - near[k]) * (second[k] - near[k]) -
-                (first[k] - near[k]) * (first[k] - near[k]);
-    }
-    for (std::size_t k = 0; k < 3; ++k) angles[k][i] = nearer < 0 ? second[k] : first[k];
-  }
+void angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions, Angles& angles) {
+  assert(quaternions[0].size() == angles[0].size());
+  HWY_DYNAMIC_DISPATCH(angles_of_all)(form, quaternions, angles);
 }
 
 void slerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out) {
-  interpolate(quaternions, places, out, [](double cosine, double t) {
-    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    const double angle = std::atan2(sine, cosine);
-    if (sine < 1e-6) return std::pair(1 - t, t);
-    return std::pair(std::sin((1 - t) * angle) / sine, std::sin(t * angle) / sine);
-  });
+  resize(out, places.size());
+  HWY_DYNAMIC_DISPATCH(slerp_all)(quaternions, places, out);
 }
 
 void nlerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out) {
-  interpolate(quaternions, places, out, [](double, double t) { return std::pair(1 - t, t); });
+  resize(out, places.size());
+  HWY_DYNAMIC_DISPATCH(nlerp_all)(quaternions, places, out);
 }
 
 void atan2(const std::vector<double>& y, const std::vector<double>& x,
            std::vector<double>& angles) {
+  assert(y.size() % kBlock == 0 && x.size() == y.size());
   angles.resize(y.size());
-  for (std::size_t i = 0; i < y.size(); ++i) angles[i] = std::atan2(y[i], x[i]);
+  HWY_DYNAMIC_DISPATCH(atan2_all)(y.data(), x.data(), y.size(), angles.data());
 }
 
 }  // namespace kinefile::simd
+#endif  // HWY_ONCE

@@ -100,42 +100,69 @@ HWY_INLINE void half_angles(const EulerForm& form, const QuaternionRows& q, cons
   }
 }
 
+/// Two triples of angles that make the same rotation: one each way around the middle axis.
+struct Candidates {
+  std::array<Row, 3> first;
+  std::array<Row, 3> second;
+};
+
+HWY_INLINE void find_candidates(const EulerForm& form, const HalfAngles& found, Candidates& out) {
+  const double half_turn = form.is_in_degrees ? 180 : std::numbers::pi;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double a = found.plus.v[i] + found.minus.v[i];
+    const double c = form.sign * (found.plus.v[i] - found.minus.v[i]);
+    out.first[0].v[i] = a;
+    out.first[1].v[i] = form.shift + found.middle.v[i];
+    out.first[2].v[i] = c;
+    out.second[0].v[i] = a + half_turn;
+    out.second[1].v[i] = form.shift - found.middle.v[i];
+    out.second[2].v[i] = c + half_turn;
+  }
+}
+
+/// Puts the nearer of two triples in the place of the angles that they are to be near.
+HWY_INLINE void choose_nearer(double turn, Candidates& candidates, std::size_t first,
+                              Angles& angles) {
+  Row gain;  // how much nearer the second is, squared
+  for (std::size_t i = 0; i < kBlock; ++i) gain.v[i] = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* HWY_RESTRICT near = angles[k].data() + first;
+    Row& a = candidates.first[k];
+    Row& b = candidates.second[k];
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      a.v[i] = nearest_turn(a.v[i], near[i], turn);
+      b.v[i] = nearest_turn(b.v[i], near[i], turn);
+      const double from_a = a.v[i] - near[i];
+      const double from_b = b.v[i] - near[i];
+      gain.v[i] += from_a * from_a - from_b * from_b;
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    double* HWY_RESTRICT out = angles[k].data() + first;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double a = candidates.first[k].v[i];
+      const double b = candidates.second[k].v[i];
+      out[i] = gain.v[i] > 0 ? b : a;
+    }
+  }
+}
+
 void angles_of_block(const EulerForm& form, const Quaternions& quaternions, std::size_t first,
                      Angles& angles) {
-  double* HWY_RESTRICT a = angles[0].data() + first;
-  double* HWY_RESTRICT b = angles[1].data() + first;
-  double* HWY_RESTRICT c = angles[2].data() + first;
+  const double* HWY_RESTRICT a = angles[0].data() + first;
+  const double* HWY_RESTRICT c = angles[2].data() + first;
   QuaternionRows q;
   HalfAngles near;
   HalfAngles found;
+  Candidates candidates;
   load(quaternions, first, q);
   for (std::size_t i = 0; i < kBlock; ++i) {
     near.plus.v[i] = 0.5 * (a[i] + form.sign * c[i]);
     near.minus.v[i] = 0.5 * (a[i] - form.sign * c[i]);
   }
   half_angles(form, q, near, found);
-  const double turn = form.is_in_degrees ? 360 : 2 * std::numbers::pi;
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const double outer_a = found.plus.v[i] + found.minus.v[i];
-    const double outer_c = form.sign * (found.plus.v[i] - found.minus.v[i]);
-    const double first_a = nearest_turn(outer_a, a[i], turn);
-    const double first_b = nearest_turn(form.shift + found.middle.v[i], b[i], turn);
-    const double first_c = nearest_turn(outer_c, c[i], turn);
-    // The same rotation by the other way around the middle axis.
-    const double second_a = nearest_turn(outer_a + 0.5 * turn, a[i], turn);
-    const double second_b = nearest_turn(form.shift - found.middle.v[i], b[i], turn);
-    const double second_c = nearest_turn(outer_c + 0.5 * turn, c[i], turn);
-    const double first_distance = (first_a - a[i]) * (first_a - a[i]) +
-                                  (first_b - b[i]) * (first_b - b[i]) +
-                                  (first_c - c[i]) * (first_c - c[i]);
-    const double second_distance = (second_a - a[i]) * (second_a - a[i]) +
-                                   (second_b - b[i]) * (second_b - b[i]) +
-                                   (second_c - c[i]) * (second_c - c[i]);
-    const bool is_second = second_distance < first_distance;
-    a[i] = is_second ? second_a : first_a;
-    b[i] = is_second ? second_b : first_b;
-    c[i] = is_second ? second_c : first_c;
-  }
+  find_candidates(form, found, candidates);
+  choose_nearer(form.is_in_degrees ? 360 : 2 * std::numbers::pi, candidates, first, angles);
 }
 
 /// The quaternions at both ends of places, the second on the side of the first.

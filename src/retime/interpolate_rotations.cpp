@@ -14,11 +14,11 @@ constexpr std::size_t kStepsPerBatch = 256;
 
 /// Some new frames and the old ones that they need. Old frames are counted within `old_frames`.
 struct Batch {
-  std::vector<Step> steps;              ///< none of them a copy
-  std::vector<std::size_t> old_frames;  ///< rising
-  std::vector<simd::Between> places;    ///< a step each, padded
-  std::vector<Around> around;           ///< a step each
-  std::vector<std::vector<Tap>> taps;   ///< a step each, empty where it is no average
+  std::vector<Step> steps;                   ///< none of them a copy
+  std::vector<std::size_t> old_frames;       ///< rising
+  std::vector<simd::Neighbours> neighbours;  ///< an old frame each, padded
+  std::vector<simd::Between> places;         ///< a step each, padded
+  std::vector<std::vector<Tap>> taps;        ///< a step each, empty where it is no average
 };
 
 std::size_t index_of(const std::vector<std::size_t>& old_frames, std::size_t frame) {
@@ -27,10 +27,10 @@ std::size_t index_of(const std::vector<std::size_t>& old_frames, std::size_t fra
 }
 
 /// The old frames that are needed, once each. Most maps rise, so they are nearly sorted.
-void collect_old_frames(Batch& batch, bool is_cubic) {
+void collect_old_frames(std::size_t num_old_frames, bool is_cubic, Batch& batch) {
   std::vector<std::size_t>& frames = batch.old_frames;
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    const Around& needed = batch.around[i];
+    const Around needed = around(batch.steps[i], num_old_frames);
     frames.insert(frames.end(), {needed.from, needed.to});
     if (is_cubic) frames.insert(frames.end(), {needed.before, needed.after});
     for (const Tap& tap : batch.taps[i]) frames.push_back(tap.old_frame);
@@ -39,20 +39,31 @@ void collect_old_frames(Batch& batch, bool is_cubic) {
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
 }
 
+/// What lies next to each old frame. Frames at the ends of the motion lack a neighbour; those that
+/// are there as the neighbours of others may, too, and it is not asked for.
+void find_neighbours(Batch& batch) {
+  const std::vector<std::size_t>& frames = batch.old_frames;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool has_before = i > 0 && frames[i - 1] + 1 == frames[i];
+    const bool has_after = i + 1 < frames.size() && frames[i] + 1 == frames[i + 1];
+    batch.neighbours.push_back({has_before ? i - 1 : i, has_after ? i + 1 : i});
+  }
+  batch.neighbours.resize(simd::padded(frames.size()), {0, 0});
+}
+
 Batch make_batch(std::vector<Step> steps, std::size_t num_old_frames, bool is_cubic) {
   Batch batch;
   batch.steps = std::move(steps);
   for (const Step& step : batch.steps) {
-    batch.around.push_back(around(step, num_old_frames));
     batch.taps.push_back(step.is_average() ? taps_of(step, num_old_frames) : std::vector<Tap>());
   }
-  collect_old_frames(batch, is_cubic);
+  collect_old_frames(num_old_frames, is_cubic, batch);
+  if (is_cubic) find_neighbours(batch);
   const auto index = [&batch](std::size_t frame) { return index_of(batch.old_frames, frame); };
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    Around& a = batch.around[i];
-    a = {index(a.before), index(a.from), index(a.to), index(a.after)};
+    const Around frames = around(batch.steps[i], num_old_frames);
+    batch.places.push_back({index(frames.from), index(frames.to), batch.steps[i].t});
     for (Tap& tap : batch.taps[i]) tap.old_frame = index(tap.old_frame);
-    batch.places.push_back({a.from, a.to, batch.steps[i].t});
   }
   batch.places.resize(simd::padded(batch.places.size()), {0, 0, 0});
   return batch;
@@ -69,17 +80,6 @@ void put_quaternion(const Quat& value, std::size_t i, simd::Quaternions& q) {
   q[3][i] = value.z();
 }
 
-/// A smooth curve; at the ends of the motion it leaves along the shortest way.
-Quat squad_at(const simd::Quaternions& old, const Around& a, double t) {
-  const Quat from = quaternion_at(old, a.from);
-  const Quat to = on_side_of(quaternion_at(old, a.to), from);
-  const bool is_first = a.before == a.from;
-  const bool is_last = a.after == a.to;
-  const Quat control_from = is_first ? from : squad_control(quaternion_at(old, a.before), from, to);
-  const Quat control_to = is_last ? to : squad_control(from, to, quaternion_at(old, a.after));
-  return squad(from, control_from, control_to, to, t);
-}
-
 /// The mean of rotations that are close together: of their quaternions on one side.
 Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::size_t from) {
   const Quat side = quaternion_at(old, from);
@@ -90,27 +90,31 @@ Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::si
   return Quat(sum);
 }
 
-/// The rotations of a batch's new frames. Their quaternions' lengths are not always 1.
-void interpolate(const Batch& batch, const simd::Quaternions& old, RotationInterpolation rotation,
-                 simd::Quaternions& result) {
-  const bool is_cubic = rotation == RotationInterpolation::Cubic;
-  (rotation == RotationInterpolation::Nlerp ? simd::nlerp : simd::slerp)(old, batch.places, result);
-  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    if (batch.steps[i].is_average()) {
-      put_quaternion(average(old, batch.taps[i], batch.around[i].from), i, result);
-    } else if (is_cubic) {
-      put_quaternion(squad_at(old, batch.around[i], batch.steps[i].t), i, result);
-    }
-  }
-}
-
 /// What is needed for a joint, kept for the next one.
 struct Workspace {
   simd::Angles old_angles;
   simd::Angles new_angles;
   simd::Quaternions old_rotations;
+  simd::Quaternions controls;
   simd::Quaternions new_rotations;
 };
+
+/// Finds the rotations of a batch's new frames. Their quaternions' lengths are not always 1.
+void interpolate(const Batch& batch, RotationInterpolation rotation, Workspace& work) {
+  const simd::Quaternions& old = work.old_rotations;
+  if (rotation == RotationInterpolation::Cubic) {
+    simd::squad_controls(old, batch.neighbours, work.controls);
+    simd::squad(old, work.controls, batch.places, work.new_rotations);
+  } else if (rotation == RotationInterpolation::Nlerp) {
+    simd::nlerp(old, batch.places, work.new_rotations);
+  } else {
+    simd::slerp(old, batch.places, work.new_rotations);
+  }
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    if (!batch.steps[i].is_average()) continue;
+    put_quaternion(average(old, batch.taps[i], batch.places[i].from), i, work.new_rotations);
+  }
+}
 
 template <std::size_t kSize>
 void resize(simd::Components<kSize>& components, std::size_t count) {
@@ -125,7 +129,7 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
     for (std::size_t k = 0; k < 3; ++k) work.old_angles[k][i] = row[joint.columns[k]];
   }
   simd::quaternions_of_angles(joint.form, work.old_angles, work.old_rotations);
-  interpolate(batch, work.old_rotations, rotation, work.new_rotations);
+  interpolate(batch, rotation, work);
   resize(work.new_angles, batch.steps.size());
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
     const auto row = new_clip.row(batch.steps[i].new_frame);
@@ -147,11 +151,11 @@ void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& f
     // Divided even where the length is 0, which is no rotation and gives NaN.
     put_quaternion(Quat(Quat::Coefficients(given.coeffs() / given.norm())), i, work.old_rotations);
   }
-  interpolate(batch, work.old_rotations, rotation, work.new_rotations);
+  interpolate(batch, rotation, work);
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
     double* q = &new_clip.row(batch.steps[i].new_frame)[free.first_column];
     const Quat result = on_side_of(quaternion_at(work.new_rotations, i).normalized(),
-                                   quaternion_at(work.old_rotations, batch.around[i].from));
+                                   quaternion_at(work.old_rotations, batch.places[i].from));
     q[0] = result.w();
     q[1] = result.x();
     q[2] = result.y();

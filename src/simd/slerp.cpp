@@ -165,70 +165,181 @@ void angles_of_block(const EulerForm& form, const Quaternions& quaternions, std:
   choose_nearer(form.is_in_degrees ? 360 : 2 * std::numbers::pi, candidates, first, angles);
 }
 
-/// The quaternions at both ends of places, the second on the side of the first.
+HWY_INLINE void dot(const QuaternionRows& a, const QuaternionRows& b, Row& product) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    product.v[i] = a[0].v[i] * b[0].v[i] + a[1].v[i] * b[1].v[i] + a[2].v[i] * b[2].v[i] +
+                   a[3].v[i] * b[3].v[i];
+  }
+}
+
+/// -1 for quaternions that lie on different sides, 1 for others.
+HWY_INLINE void find_sides(const QuaternionRows& a, const QuaternionRows& b, Row& sides) {
+  dot(a, b, sides);
+  for (std::size_t i = 0; i < kBlock; ++i) sides.v[i] = sides.v[i] < 0 ? -1.0 : 1.0;
+}
+
+HWY_INLINE void scale(const Row& factors, QuaternionRows& q) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < kBlock; ++i) q[k].v[i] *= factors.v[i];
+  }
+}
+
+/// The quaternions at both ends of a block of places.
 struct Ends {
   QuaternionRows from;
   QuaternionRows to;
-  Row cosine;  ///< of the angle between them, not below 0
-  Row t;
 };
 
 HWY_INLINE void load_ends(const Quaternions& quaternions, const Between* places, Ends& ends) {
   for (std::size_t i = 0; i < kBlock; ++i) {
-    ends.t.v[i] = places[i].t;
     for (std::size_t k = 0; k < 4; ++k) {
       ends.from[k].v[i] = quaternions[k][places[i].from];
       ends.to[k].v[i] = quaternions[k][places[i].to];
     }
   }
+}
+
+HWY_INLINE void load_times(const Between* places, Row& t) {
+  for (std::size_t i = 0; i < kBlock; ++i) t.v[i] = places[i].t;
+}
+
+/// Along the great circle from one end to the other, whatever their sides.
+HWY_INLINE void slerp_one_way(const Ends& ends, const Row& t, QuaternionRows& out) {
+  constexpr double kNearlyEqual = 1e-8;  // the chord differs from the arc by less than a bit
+  Row cosine, sine, part, sin_part, cos_part;
+  QuaternionRows across;
+  dot(ends.from, ends.to, cosine);
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      across[k].v[i] = ends.to[k].v[i] - cosine.v[i] * ends.from[k].v[i];
+    }
+  }
+  dot(across, across, sine);
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const double cosine = ends.from[0].v[i] * ends.to[0].v[i] +
-                          ends.from[1].v[i] * ends.to[1].v[i] +
-                          ends.from[2].v[i] * ends.to[2].v[i] + ends.from[3].v[i] * ends.to[3].v[i];
-    const double side = cosine < 0 ? -1.0 : 1.0;
-    ends.cosine.v[i] = side * cosine;
-    for (std::size_t k = 0; k < 4; ++k) ends.to[k].v[i] *= side;
+    sine.v[i] = std::sqrt(sine.v[i]);
+    const double angle = atan2_of(sine.v[i], cosine.v[i]);
+    part.v[i] = t.v[i] * (sine.v[i] < kNearlyEqual ? 0.0 : angle);
+  }
+  sincos_radians(part.v, sin_part.v, cos_part.v);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double along = t.v[i];
+    const double ratio = sin_part.v[i] / sine.v[i];
+    sin_part.v[i] = sine.v[i] < kNearlyEqual ? along : ratio;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      out[k].v[i] = cos_part.v[i] * ends.from[k].v[i] + sin_part.v[i] * across[k].v[i];
+    }
   }
 }
 
 void slerp_block(const Quaternions& quaternions, const Between* places, std::size_t first,
                  Quaternions& out) {
   Ends ends;
-  load_ends(quaternions, places, ends);
-  Row sine, part, sin_part, cos_part;
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    double square = 0;
-    // `to` becomes what of it lies across `from`.
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double across = ends.to[k].v[i] - ends.cosine.v[i] * ends.from[k].v[i];
-      ends.to[k].v[i] = across;
-      square += across * across;
-    }
-    sine.v[i] = std::sqrt(square);
-    part.v[i] = ends.t.v[i] * atan2_of(sine.v[i], ends.cosine.v[i]);
-  }
-  sincos_radians(part.v, sin_part.v, cos_part.v);
+  Row sides, t;
   QuaternionRows q;
+  load_ends(quaternions, places, ends);
+  load_times(places, t);
+  find_sides(ends.from, ends.to, sides);
+  scale(sides, ends.to);
+  slerp_one_way(ends, t, q);
+  store(q, first, out);
+}
+
+void squad_block(const Quaternions& quaternions, const Quaternions& controls, const Between* places,
+                 std::size_t first, Quaternions& out) {
+  Ends ends, inner_ends, middle;
+  Row sides, t, inwards;
+  QuaternionRows q;
+  load_ends(quaternions, places, ends);
+  load_ends(controls, places, inner_ends);
+  load_times(places, t);
+  find_sides(ends.from, ends.to, sides);
+  scale(sides, ends.to);
+  scale(sides, inner_ends.to);  // a control point goes with its quaternion
+  slerp_one_way(ends, t, middle.from);
+  slerp_one_way(inner_ends, t, middle.to);
+  for (std::size_t i = 0; i < kBlock; ++i) inwards.v[i] = 2 * t.v[i] * (1 - t.v[i]);
+  slerp_one_way(middle, inwards, q);
+  store(q, first, out);
+}
+
+using VectorRows = std::array<Row, 3>;
+
+/// Adds the logarithm of conjugate(a) b, or of its twin where that is shorter.
+HWY_INLINE void add_log(const QuaternionRows& a, const QuaternionRows& b, VectorRows& sum) {
   for (std::size_t i = 0; i < kBlock; ++i) {
-    constexpr double kNearlyEqual = 1e-8;  // the chord differs from the arc by less than a bit
-    const bool is_chord = sine.v[i] < kNearlyEqual;
-    const double along = is_chord ? ends.t.v[i] : sin_part.v[i];
-    const double scale = along / (is_chord ? 1.0 : sine.v[i]);
+    const double aw = a[0].v[i], ax = a[1].v[i], ay = a[2].v[i], az = a[3].v[i];
+    const double bw = b[0].v[i], bx = b[1].v[i], by = b[2].v[i], bz = b[3].v[i];
+    const double w = aw * bw + ax * bx + ay * by + az * bz;
+    const double x = aw * bx - ax * bw - ay * bz + az * by;
+    const double y = aw * by + ax * bz - ay * bw - az * bx;
+    const double z = aw * bz - ax * by + ay * bx - az * bw;
+    const double sine = std::sqrt(x * x + y * y + z * z);
+    const double angle = atan2_of(sine, std::fabs(w));
+    const double size = sine == 0 ? 1.0 : angle / (sine == 0 ? 1.0 : sine);
+    const double factor = (w < 0 ? -1.0 : 1.0) * size;
+    sum[0].v[i] += factor * x;
+    sum[1].v[i] += factor * y;
+    sum[2].v[i] += factor * z;
+  }
+}
+
+/// a exp(v)
+HWY_INLINE void multiply_exp(const QuaternionRows& a, const VectorRows& v, QuaternionRows& out) {
+  Row angle, sine, cosine;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    angle.v[i] = std::sqrt(v[0].v[i] * v[0].v[i] + v[1].v[i] * v[1].v[i] + v[2].v[i] * v[2].v[i]);
+  }
+  sincos_radians(angle.v, sine.v, cosine.v);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double ratio = sine.v[i] / (angle.v[i] == 0 ? 1.0 : angle.v[i]);
+    const double factor = angle.v[i] == 0 ? 1.0 : ratio;
+    const double aw = a[0].v[i], ax = a[1].v[i], ay = a[2].v[i], az = a[3].v[i];
+    const double w = cosine.v[i];
+    const double x = factor * v[0].v[i], y = factor * v[1].v[i], z = factor * v[2].v[i];
+    out[0].v[i] = aw * w - ax * x - ay * y - az * z;
+    out[1].v[i] = aw * x + ax * w + ay * z - az * y;
+    out[2].v[i] = aw * y - ax * z + ay * w + az * x;
+    out[3].v[i] = aw * z + ax * y - ay * x + az * w;
+  }
+}
+
+void squad_controls_block(const Quaternions& quaternions, const Neighbours* neighbours,
+                          std::size_t first, Quaternions& controls) {
+  QuaternionRows at, before, after, control;
+  VectorRows sum{};
+  Row factors;
+  load(quaternions, first, at);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const bool has_both = neighbours[i].before != first + i && neighbours[i].after != first + i;
+    factors.v[i] = has_both ? -0.25 : 0.0;
     for (std::size_t k = 0; k < 4; ++k) {
-      q[k].v[i] = cos_part.v[i] * ends.from[k].v[i] + scale * ends.to[k].v[i];
+      before[k].v[i] = quaternions[k][neighbours[i].before];
+      after[k].v[i] = quaternions[k][neighbours[i].after];
     }
   }
-  store(q, first, out);
+  add_log(at, before, sum);
+  add_log(at, after, sum);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < kBlock; ++i) sum[k].v[i] *= factors.v[i];
+  }
+  multiply_exp(at, sum, control);
+  store(control, first, controls);
 }
 
 void nlerp_block(const Quaternions& quaternions, const Between* places, std::size_t first,
                  Quaternions& out) {
   Ends ends;
-  load_ends(quaternions, places, ends);
+  Row sides, t;
   QuaternionRows q;
+  load_ends(quaternions, places, ends);
+  load_times(places, t);
+  find_sides(ends.from, ends.to, sides);
+  scale(sides, ends.to);
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t i = 0; i < kBlock; ++i) {
-      q[k].v[i] = (1 - ends.t.v[i]) * ends.from[k].v[i] + ends.t.v[i] * ends.to[k].v[i];
+      q[k].v[i] = (1 - t.v[i]) * ends.from[k].v[i] + t.v[i] * ends.to[k].v[i];
     }
   }
   store(q, first, out);
@@ -260,6 +371,20 @@ void nlerp_all(const Quaternions& quaternions, const std::vector<Between>& place
   }
 }
 
+void squad_controls_all(const Quaternions& quaternions, const std::vector<Neighbours>& neighbours,
+                        Quaternions& controls) {
+  for (std::size_t first = 0; first < neighbours.size(); first += kBlock) {
+    squad_controls_block(quaternions, neighbours.data() + first, first, controls);
+  }
+}
+
+void squad_all(const Quaternions& quaternions, const Quaternions& controls,
+               const std::vector<Between>& places, Quaternions& out) {
+  for (std::size_t first = 0; first < places.size(); first += kBlock) {
+    squad_block(quaternions, controls, places.data() + first, first, out);
+  }
+}
+
 void atan2_all(const double* HWY_RESTRICT y, const double* HWY_RESTRICT x, std::size_t count,
                double* HWY_RESTRICT angles) {
   for (std::size_t first = 0; first < count; first += kBlock) {
@@ -280,6 +405,8 @@ HWY_EXPORT(quaternions_of_all);
 HWY_EXPORT(angles_of_all);
 HWY_EXPORT(slerp_all);
 HWY_EXPORT(nlerp_all);
+HWY_EXPORT(squad_controls_all);
+HWY_EXPORT(squad_all);
 HWY_EXPORT(atan2_all);
 
 void resize(Quaternions& quaternions, std::size_t count) {
@@ -307,6 +434,19 @@ void slerp(const Quaternions& quaternions, const std::vector<Between>& places, Q
 void nlerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out) {
   resize(out, places.size());
   HWY_DYNAMIC_DISPATCH(nlerp_all)(quaternions, places, out);
+}
+
+void squad_controls(const Quaternions& quaternions, const std::vector<Neighbours>& neighbours,
+                    Quaternions& controls) {
+  assert(quaternions[0].size() == neighbours.size());
+  resize(controls, neighbours.size());
+  HWY_DYNAMIC_DISPATCH(squad_controls_all)(quaternions, neighbours, controls);
+}
+
+void squad(const Quaternions& quaternions, const Quaternions& controls,
+           const std::vector<Between>& places, Quaternions& out) {
+  resize(out, places.size());
+  HWY_DYNAMIC_DISPATCH(squad_all)(quaternions, controls, places, out);
 }
 
 void atan2(const std::vector<double>& y, const std::vector<double>& x,

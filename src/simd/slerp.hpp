@@ -56,6 +56,22 @@ struct Between {
 void slerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out);
 void nlerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out);
 
+/// The quaternions before and after one on a curve, or itself where there are none.
+struct Neighbours {
+  std::size_t before;
+  std::size_t after;
+};
+
+/// The inner control points of a curve through unit quaternions, as `kinefile::squad_control` finds
+/// them; the quaternion itself where a neighbour is missing.
+/// \param neighbours  of each quaternion, padded
+void squad_controls(const Quaternions& quaternions, const std::vector<Neighbours>& neighbours,
+                    Quaternions& controls);
+
+/// Interpolates on a curve as `kinefile::squad` does; the results are not normalised.
+void squad(const Quaternions& quaternions, const Quaternions& controls,
+           const std::vector<Between>& places, Quaternions& out);
+
 /// The angle of a point (x, y) as the kernel computes it, for arrays padded to a multiple of
 /// kBlock. For numbers far from the ends of what a double can hold; within 2 units in the last
 /// place.

@@ -3,6 +3,7 @@
 
 #include <fast_float/fast_float.h>
 
+#include <array>
 #include <fstream>
 
 namespace kinefile::bench {
@@ -33,6 +34,55 @@ double sum_with_ifstream(const std::string& path) {
   double value = 0;
   while (file >> value) sum += value;
   return sum;
+}
+
+namespace {
+
+Quat rotation_with_eigen(const Joint& joint, std::span<const double> row) {
+  Quat rotation = Quat::Identity();
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Rotation) continue;
+    rotation = rotation * Eigen::AngleAxisd(row[dof.coordinate] * kRadiansPerDegree, dof.axis);
+  }
+  return rotation;
+}
+
+void warp_joint_with_eigen(const Joint& joint, std::span<const double> from,
+                           std::span<const double> to, double t, double* row) {
+  const Quat a = rotation_with_eigen(joint, from);
+  const Quat b = rotation_with_eigen(joint, to);
+  std::array<Eigen::Index, 3> axes{};
+  std::array<std::size_t, 3> columns{};
+  std::size_t num_rotations = 0;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    const std::size_t c = dof.coordinate;
+    if (dof.kind == DofKind::Rotation) {
+      dof.axis.maxCoeff(&axes[num_rotations]);
+      columns[num_rotations++] = c;
+    } else {
+      row[c] = from[c] + t * (to[c] - from[c]);
+    }
+  }
+  const Vec3 angles =
+      a.slerp(t, b).toRotationMatrix().eulerAngles(axes[0], axes[1], axes[2]) / kRadiansPerDegree;
+  for (std::size_t k = 0; k < 3; ++k) row[columns[k]] = angles[static_cast<Eigen::Index>(k)];
+}
+
+}  // namespace
+
+std::vector<double> warped_with_eigen(const Motion& motion, const TimeMap& map) {
+  const Clip& clip = motion.clip;
+  std::vector<double> rows(map.old_frames.size() * clip.num_coordinates);
+  for (std::size_t n = 0; n < map.old_frames.size(); ++n) {
+    const auto frame = static_cast<std::size_t>(map.old_frames[n]);
+    const double t = map.old_frames[n] - static_cast<double>(frame);
+    const auto from = clip.row(frame);
+    const auto to = clip.row(std::min(frame + 1, clip.num_frames - 1));
+    for (const Joint& joint : motion.skeleton.joints) {
+      warp_joint_with_eigen(joint, from, to, t, &rows[n * clip.num_coordinates]);
+    }
+  }
+  return rows;
 }
 
 std::vector<double> positions_with_eigen(const Motion& motion) {

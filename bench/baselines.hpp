@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kinefile/motion.hpp"
+#include "kinefile/retime.hpp"
 
 // What the benchmarks are measured against: the plainest code that does the same job.
 
@@ -24,5 +24,11 @@ double sum_with_ifstream(const std::string& path);
 /// Eigen rotation matrices, then of the parent's.
 /// \returns [frame][joint][3]
 std::vector<double> positions_with_eigen(const Motion& motion);
+
+/// The rows of a motion by a time map, a frame and a joint at a time: two quaternions from products
+/// of Eigen's AngleAxis, Eigen's `slerp` and `eulerAngles`; positions on the straight line. For
+/// joints with three rotations about x, y and z, in degrees.
+/// \returns [frame][coordinate]
+std::vector<double> warped_with_eigen(const Motion& motion, const TimeMap& map);
 
 }  // namespace kinefile::bench

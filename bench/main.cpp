@@ -14,6 +14,7 @@
 
 #include "baselines.hpp"
 #include "kinefile/kinefile.hpp"
+#include "kinefile/retime.hpp"
 #include "walk.hpp"
 
 namespace kinefile::bench {
@@ -84,6 +85,61 @@ void write_kinefile(benchmark::State& state) {
   benchmark::DoNotOptimize(num_bytes);
 }
 
+/// As a share of the largest number.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  double difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a[i]));
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  }
+  return difference / largest;
+}
+
+/// A walk of some thousand frames and a map that shows 15 of its frames in 16, as when frame 150
+/// is moved to frame 160.
+struct WarpSubject {
+  Motion motion = examples::make_walk({.num_frames = 7501});
+  TimeMap map;
+};
+
+const WarpSubject& warp_subject() {
+  static const WarpSubject instance = [] {
+    WarpSubject made;
+    for (int n = 0; n <= 8000; ++n) made.map.old_frames.push_back(n * 150 / 160.0);
+    return made;
+  }();
+  return instance;
+}
+
+Motion warped_with_kinefile(RotationInterpolation rotation) {
+  Diagnostics diagnostics;
+  auto warped =
+      retime(warp_subject().motion, warp_subject().map, {.rotation = rotation}, diagnostics);
+  return std::move(warped.value());
+}
+
+template <RotationInterpolation kRotation>
+void warp_kinefile(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(warped_with_kinefile(kRotation));
+}
+
+void warp_eigen(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(warped_with_eigen(warp_subject().motion, warp_subject().map));
+  }
+}
+
+/// The largest distance of joints in the motions that the two ways to warp give, relative.
+double warp_disagreement() {
+  const Motion ours = warped_with_kinefile(RotationInterpolation::Slerp);
+  Motion theirs = ours;
+  theirs.clip.values = warped_with_eigen(warp_subject().motion, warp_subject().map);
+  const WorldPoses a = forward_kinematics(ours.skeleton, ours.clip);
+  const WorldPoses b = forward_kinematics(theirs.skeleton, theirs.clip);
+  return largest_difference(a.positions, b.positions);
+}
+
 /// Prints as usual and keeps the fastest time of each benchmark.
 class Reporter : public benchmark::ConsoleReporter {
  public:
@@ -128,14 +184,7 @@ double peak_memory_ratio() {
 double disagreement() {
   const Motion& motion = subject().motion;
   const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip);
-  const std::vector<double> reference = positions_with_eigen(motion);
-  double largest = 0;
-  double difference = 0;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    largest = std::max(largest, std::abs(reference[i]));
-    difference = std::max(difference, std::abs(reference[i] - poses.positions[i]));
-  }
-  return difference / largest;
+  return largest_difference(positions_with_eigen(motion), poses.positions);
 }
 
 void print_ratio(const Reporter& reporter, std::string_view what, const std::string& ours,
@@ -188,6 +237,9 @@ int run(int argc, char** argv) {
   add("fk/kinefile", fk_kinefile);
   add("fk/eigen_per_frame", fk_eigen);
   add("write/kinefile", write_kinefile);
+  add("warp/kinefile", warp_kinefile<RotationInterpolation::Slerp>);
+  add("warp/kinefile_cubic", warp_kinefile<RotationInterpolation::Cubic>);
+  add("warp/eigen_slerp", warp_eigen);
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   fmt::print("\n{:.1f} MB of BVH, {} frames; ratios of the fastest of 9 runs, above 1 is faster\n",
@@ -197,9 +249,15 @@ int run(int argc, char** argv) {
   print_ratio(reporter, "reading a file, against ifstream >>", "read/kinefile", "read/ifstream");
   print_ratio(reporter, "forward kinematics, against a plain Eigen loop", "fk/kinefile",
               "fk/eigen_per_frame");
+  print_ratio(reporter, "warping time, against a plain Eigen slerp loop", "warp/kinefile",
+              "warp/eigen_slerp");
+  print_ratio(reporter, "warping time with cubics, against the same", "warp/kinefile_cubic",
+              "warp/eigen_slerp");
   fmt::print("{:<58}{:.2f}\n", "peak memory, as a multiple of the file's size", memory);
   fmt::print("{:<58}{:.1e}\n", "largest difference of the two kinematics, relative",
              disagreement());
+  fmt::print("{:<58}{:.1e}\n", "largest difference of the two warps, relative",
+             warp_disagreement());
   std::filesystem::remove(subject().path);
   return 0;
 }

@@ -137,20 +137,33 @@ Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
 enum class RotationInterpolation {
   Slerp,  ///< at a constant rate along the shortest way; Shoemake, SIGGRAPH 1985
   Nlerp,  ///< the chord, normalised: faster, the same way at a rate that varies a little
-  Cubic,  ///< SQUAD: smooth at the frames; Shoemake 1987. Numbers by Catmull and Rom
-  Euler,  ///< angle by angle, as numbers
+  /// SQUAD: smooth at the frames; Shoemake 1987. Numbers by Catmull and Rom. At both ends of the
+  /// motion the curve leaves along the shortest way. SQUAD, since on captured motion it comes as
+  /// near to frames that were left out as the other cubics do that need four rotations (cumulative
+  /// Bezier curves: the same to four digits), and nearer than slerp: a third of its error on a
+  /// quick motion at 60 frames a second.
+  Cubic,
+  Euler,  ///< angle by angle, as numbers; the quaternion of a free joint by slerp
 };
 
 struct RetimeOptions {
   RotationInterpolation rotation = RotationInterpolation::Slerp;
   bool antialias = false;  ///< average over the frames that are passed over where the map is fast
-  bool lenient = false;    ///< frames with numbers that are not finite give such numbers
+  /// Numbers that would be made of ones that are not finite become NaN, all angles of a rotation
+  /// together; one warning a joint.
+  bool lenient = false;
 };
 
 /// Shows an old motion by a time map. A frame of the map that is whole returns the old frame bit
 /// for bit (not with `antialias` where the map is fast). Joints that turn about one or two axes,
-/// or about axes that no rotation can be brought back to, are interpolated angle by angle.
-/// Angles stay continuous: those found anew are the nearest to the old ones.
+/// or about axes that no rotation can be brought back to, or that share columns with others, are
+/// interpolated angle by angle (RTM007). Angles stay continuous: those found anew are the nearest
+/// to the straight line between the old ones. The quaternion of a free joint comes out normalised,
+/// on the side of the old frame before it.
+/// Values of the map beyond the motion stand for its ends; they must be numbers.
+/// The new timeline is the map's or else the old one, without times of single frames.
+/// With `antialias`, where more than one old frame goes by in a new one, frames are averaged by a
+/// Gaussian curve with a sigma of half as many frames, cut at three sigma.
 /// \errors RTM005 (InvalidInput) if a joint would have to be interpolated between numbers that are
 ///         not finite, and not `lenient`
 Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOptions& options,

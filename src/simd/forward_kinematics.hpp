@@ -5,15 +5,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "simd/block.hpp"
+
 namespace kinefile::simd {
 
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;  ///< [column][row]
 
 inline constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
-
-/// How many frames the kernel works on at a time.
-inline constexpr std::size_t kBlock = 16;
 
 /// A rotation about x, y or z (`axis` 0, 1, 2; `sign` -1 for the opposite axis), or about any
 /// other unit vector (`axis` 3, `sign` without meaning).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Included once for every set of vector instructions, by forward_kinematics.cpp: no include guard.
+// Included once for every set of vector instructions, by every kernel: no include guard.
 //
 // Loops over a block without branches or calls, so that the compiler can turn them into vector
 // instructions; sin and cos of the C library cannot be. Nothing here depends on the instructions'
@@ -109,11 +109,11 @@ HWY_INLINE void sincos_block(const double* HWY_RESTRICT angles, double most,
 }
 
 /// Multiples of 90 degrees are exact; the error is below 1.5 units in the last place.
-HWY_NOINLINE void sincos_degrees(const double* angles, double* sines, double* cosines) {
+inline HWY_NOINLINE void sincos_degrees(const double* angles, double* sines, double* cosines) {
   sincos_block<reduce_degrees, far_degrees>(angles, kMostDegrees, sines, cosines);
 }
 
-HWY_NOINLINE void sincos_radians(const double* angles, double* sines, double* cosines) {
+inline HWY_NOINLINE void sincos_radians(const double* angles, double* sines, double* cosines) {
   sincos_block<reduce_radians, far_radians>(angles, kMostRadians, sines, cosines);
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <cassert>
+
+#include "retime/interpolate_gaps.hpp"
+#include "retime/interpolate_numbers.hpp"
+#include "retime/interpolate_plan.hpp"
+#include "retime/interpolate_rotations.hpp"
+#include "retime/interpolate_steps.hpp"
+
+namespace kinefile {
+namespace {
+
+/// The old timeline for another number of frames: times of single frames do not fit any more.
+Timeline without_times(Timeline timeline) {
+  timeline.times.clear();
+  return timeline;
+}
+
+Clip empty_clip(const Clip& old_clip, const TimeMap& map) {
+  Clip clip;
+  clip.num_frames = old_clip.num_frames > 0 ? map.old_frames.size() : 0;
+  clip.num_coordinates = old_clip.num_coordinates;
+  clip.values.resize(clip.num_frames * clip.num_coordinates);
+  clip.timeline = map.timeline ? *map.timeline : without_times(old_clip.timeline);
+  return clip;
+}
+
+}  // namespace
+
+Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
+                      Diagnostics& diagnostics) {
+  const Clip& old_clip = motion.clip;
+  assert(old_clip.num_coordinates == motion.skeleton.coordinates.size());
+  assert(old_clip.num_frames > 0 || map.old_frames.empty());
+  Motion result{motion.skeleton, empty_clip(old_clip, map)};
+  if (result.clip.num_frames == 0) return result;
+  const auto steps = retiming::steps_of(map.old_frames, old_clip.num_frames, options.antialias);
+  const auto plan = retiming::plan_interpolation(motion.skeleton, options.rotation, diagnostics);
+  retiming::interpolate_rows(old_clip, steps, result.clip);
+  if (options.rotation == RotationInterpolation::Cubic) {
+    retiming::curve_columns(old_clip, steps, plan.number_columns, result.clip);
+  }
+  if (options.antialias) {
+    retiming::average_columns(old_clip, steps, plan.number_columns, result.clip);
+  }
+  retiming::interpolate_rotations(old_clip, steps, plan, options.rotation, result.clip);
+  const auto marked = retiming::mark_gaps(motion, steps, plan, options, result.clip, diagnostics);
+  if (!marked) return fail(marked.error());
+  return result;
+}
+
+}  // namespace kinefile

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "retime/interpolate_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "kinefile/joint_rotation.hpp"
+
+namespace kinefile::retiming {
+namespace {
+
+constexpr std::size_t kFreeColumns = 7;
+
+/// How many degrees of freedom read each column; shape (coordinates).
+std::vector<std::size_t> readers_of_columns(const Skeleton& skeleton) {
+  std::vector<std::size_t> readers(skeleton.coordinates.size());
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const std::size_t count = dof.kind == DofKind::Free ? kFreeColumns : 1;
+      for (std::size_t k = 0; k < count; ++k) ++readers[dof.coordinate + k];
+    }
+  }
+  return readers;
+}
+
+void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics& diagnostics) {
+  diagnostics.add({Severity::Note,
+                   "RTM007",
+                   fmt::format("joint '{}' {}, so its rotation is interpolated number by number",
+                               joint.name, reason),
+                   {},
+                   {},
+                   0});
+}
+
+void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_t>& readers,
+                InterpolationPlan& plan, Diagnostics& diagnostics) {
+  const std::vector<DegreeOfFreedom> rotations = rotations_of(joint);
+  // One angle is its own best curve. Two are, too: between them the shortest way leaves what the
+  // joint can do, and the nearest angles on it differ from the straight ones by little (see the
+  // test that compares them).
+  if (rotations.size() < 3) return;
+  const auto axes = euler_axes_of(rotations);
+  if (!axes) {
+    note_single_angles(joint, "turns about axes that not every rotation can be brought back to",
+                       diagnostics);
+    return;
+  }
+  const bool is_shared =
+      std::any_of(rotations.begin(), rotations.end(),
+                  [&readers](const DegreeOfFreedom& dof) { return readers[dof.coordinate] > 1; });
+  if (is_shared) {
+    note_single_angles(joint, "shares a column", diagnostics);
+    return;
+  }
+  plan.turning_joints.push_back(
+      {{rotations[0].coordinate, rotations[1].coordinate, rotations[2].coordinate},
+       euler_form(*axes, unit)});
+}
+
+void plan_free_rotation(const Joint& joint, const DegreeOfFreedom& dof,
+                        const std::vector<std::size_t>& readers, InterpolationPlan& plan,
+                        Diagnostics& diagnostics) {
+  const auto first = readers.begin() + static_cast<std::ptrdiff_t>(dof.coordinate + 3);
+  if (std::any_of(first, first + 4, [](std::size_t count) { return count > 1; })) {
+    note_single_angles(joint, "shares a column", diagnostics);
+    return;
+  }
+  plan.free_rotations.push_back({dof.coordinate + 3});
+}
+
+/// All columns that are part of no rotation.
+std::vector<std::size_t> other_columns(const InterpolationPlan& plan, std::size_t num_columns) {
+  std::vector<bool> is_rotation(num_columns);
+  for (const TurningJoint& joint : plan.turning_joints) {
+    for (const std::size_t column : joint.columns) is_rotation[column] = true;
+  }
+  for (const FreeRotation& rotation : plan.free_rotations) {
+    for (std::size_t k = 0; k < 4; ++k) is_rotation[rotation.first_column + k] = true;
+  }
+  std::vector<std::size_t> others;
+  for (std::size_t c = 0; c < num_columns; ++c) {
+    if (!is_rotation[c]) others.push_back(c);
+  }
+  return others;
+}
+
+}  // namespace
+
+simd::EulerForm euler_form(const EulerAxes& axes, AngleUnit unit) {
+  const double along_first = axes[2].dot(axes[0]);
+  const bool is_proper = std::abs(along_first) > 0.5;
+  const double along = is_proper ? along_first : axes[2].dot(axes[0].cross(axes[1]));
+  const bool is_in_degrees = unit == AngleUnit::Degrees;
+  const double right_angle = is_in_degrees ? 90 : std::numbers::pi / 2;
+  return {along < 0 ? -1.0 : 1.0, is_proper ? 0 : right_angle, is_in_degrees};
+}
+
+InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpolation rotation,
+                                     Diagnostics& diagnostics) {
+  const std::vector<std::size_t> readers = readers_of_columns(skeleton);
+  InterpolationPlan plan;
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Free) plan_free_rotation(joint, dof, readers, plan, diagnostics);
+    }
+    if (rotation == RotationInterpolation::Euler) continue;
+    plan_turns(joint, skeleton.angle_unit, readers, plan, diagnostics);
+  }
+  plan.number_columns = other_columns(plan, skeleton.coordinates.size());
+  return plan;
+}
+
+}  // namespace kinefile::retiming

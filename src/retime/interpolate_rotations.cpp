@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Works on some hundred new frames at a time and joint by joint: the rotations of all old frames
+// that these need are found once, then all new ones between them, in arrays that stay in the cache.
+
+#include "retime/interpolate_rotations.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace kinefile::retiming {
+namespace {
+
+constexpr std::size_t kStepsPerBatch = 256;
+
+/// Some new frames and the old ones that they need. Old frames are counted within `old_frames`.
+struct Batch {
+  std::vector<Step> steps;                   ///< none of them a copy
+  std::vector<std::size_t> old_frames;       ///< rising
+  std::vector<simd::Neighbours> neighbours;  ///< an old frame each, padded
+  std::vector<simd::Between> places;         ///< a step each, padded
+  std::vector<std::vector<Tap>> taps;        ///< a step each, empty where it is no average
+};
+
+std::size_t index_of(const std::vector<std::size_t>& old_frames, std::size_t frame) {
+  const auto found = std::lower_bound(old_frames.begin(), old_frames.end(), frame);
+  return static_cast<std::size_t>(found - old_frames.begin());
+}
+
+/// The old frames that are needed, once each. Most maps rise, so they are nearly sorted.
+void collect_old_frames(std::size_t num_old_frames, bool is_cubic, Batch& batch) {
+  std::vector<std::size_t>& frames = batch.old_frames;
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    const Around needed = around(batch.steps[i], num_old_frames);
+    frames.insert(frames.end(), {needed.from, needed.to});
+    if (is_cubic) frames.insert(frames.end(), {needed.before, needed.after});
+    for (const Tap& tap : batch.taps[i]) frames.push_back(tap.old_frame);
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+}
+
+/// What lies next to each old frame. Frames at the ends of the motion lack a neighbour; those that
+/// are there as the neighbours of others may, too, and it is not asked for.
+void find_neighbours(Batch& batch) {
+  const std::vector<std::size_t>& frames = batch.old_frames;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool has_before = i > 0 && frames[i - 1] + 1 == frames[i];
+    const bool has_after = i + 1 < frames.size() && frames[i] + 1 == frames[i + 1];
+    batch.neighbours.push_back({has_before ? i - 1 : i, has_after ? i + 1 : i});
+  }
+  batch.neighbours.resize(simd::padded(frames.size()), {0, 0});
+}
+
+Batch make_batch(std::vector<Step> steps, std::size_t num_old_frames, bool is_cubic) {
+  Batch batch;
+  batch.steps = std::move(steps);
+  for (const Step& step : batch.steps) {
+    batch.taps.push_back(step.is_average() ? taps_of(step, num_old_frames) : std::vector<Tap>());
+  }
+  collect_old_frames(num_old_frames, is_cubic, batch);
+  if (is_cubic) find_neighbours(batch);
+  const auto index = [&batch](std::size_t frame) { return index_of(batch.old_frames, frame); };
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    const Around frames = around(batch.steps[i], num_old_frames);
+    batch.places.push_back({index(frames.from), index(frames.to), batch.steps[i].t});
+    for (Tap& tap : batch.taps[i]) tap.old_frame = index(tap.old_frame);
+  }
+  batch.places.resize(simd::padded(batch.places.size()), {0, 0, 0});
+  return batch;
+}
+
+Quat quaternion_at(const simd::Quaternions& q, std::size_t i) {
+  return {q[0][i], q[1][i], q[2][i], q[3][i]};
+}
+
+void put_quaternion(const Quat& value, std::size_t i, simd::Quaternions& q) {
+  q[0][i] = value.w();
+  q[1][i] = value.x();
+  q[2][i] = value.y();
+  q[3][i] = value.z();
+}
+
+/// The mean of rotations that are close together: of their quaternions on one side.
+Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::size_t from) {
+  const Quat side = quaternion_at(old, from);
+  Quat::Coefficients sum = Quat::Coefficients::Zero();
+  for (const Tap& tap : taps) {
+    sum += tap.weight * on_side_of(quaternion_at(old, tap.old_frame), side).coeffs();
+  }
+  return Quat(sum);
+}
+
+/// What is needed for a joint, kept for the next one.
+struct Workspace {
+  simd::Angles old_angles;
+  simd::Angles new_angles;
+  simd::Quaternions old_rotations;
+  simd::Quaternions controls;
+  simd::Quaternions new_rotations;
+};
+
+/// Finds the rotations of a batch's new frames. Their quaternions' lengths are not always 1.
+void interpolate(const Batch& batch, RotationInterpolation rotation, Workspace& work) {
+  const simd::Quaternions& old = work.old_rotations;
+  if (rotation == RotationInterpolation::Cubic) {
+    simd::squad_controls(old, batch.neighbours, work.controls);
+    simd::squad(old, work.controls, batch.places, work.new_rotations);
+  } else if (rotation == RotationInterpolation::Nlerp) {
+    simd::nlerp(old, batch.places, work.new_rotations);
+  } else {
+    simd::slerp(old, batch.places, work.new_rotations);
+  }
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    if (!batch.steps[i].is_average()) continue;
+    put_quaternion(average(old, batch.taps[i], batch.places[i].from), i, work.new_rotations);
+  }
+}
+
+template <std::size_t kSize>
+void resize(simd::Components<kSize>& components, std::size_t count) {
+  for (auto& component : components) component.resize(simd::padded(count));
+}
+
+void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& joint,
+                RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
+  resize(work.old_angles, batch.old_frames.size());
+  for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
+    const auto row = old_clip.row(batch.old_frames[i]);
+    for (std::size_t k = 0; k < 3; ++k) work.old_angles[k][i] = row[joint.columns[k]];
+  }
+  simd::quaternions_of_angles(joint.form, work.old_angles, work.old_rotations);
+  interpolate(batch, rotation, work);
+  resize(work.new_angles, batch.steps.size());
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    const auto row = new_clip.row(batch.steps[i].new_frame);
+    for (std::size_t k = 0; k < 3; ++k) work.new_angles[k][i] = row[joint.columns[k]];
+  }
+  simd::angles_of_quaternions(joint.form, work.new_rotations, work.new_angles);
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    const auto row = new_clip.row(batch.steps[i].new_frame);
+    for (std::size_t k = 0; k < 3; ++k) row[joint.columns[k]] = work.new_angles[k][i];
+  }
+}
+
+void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& free,
+                 RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
+  resize(work.old_rotations, batch.old_frames.size());
+  for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
+    const double* q = &old_clip.row(batch.old_frames[i])[free.first_column];
+    const Quat given(q[0], q[1], q[2], q[3]);
+    // Divided even where the length is 0, which is no rotation and gives NaN.
+    put_quaternion(Quat(Quat::Coefficients(given.coeffs() / given.norm())), i, work.old_rotations);
+  }
+  interpolate(batch, rotation, work);
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    double* q = &new_clip.row(batch.steps[i].new_frame)[free.first_column];
+    const Quat result = on_side_of(quaternion_at(work.new_rotations, i).normalized(),
+                                   quaternion_at(work.old_rotations, batch.places[i].from));
+    q[0] = result.w();
+    q[1] = result.x();
+    q[2] = result.y();
+    q[3] = result.z();
+  }
+}
+
+}  // namespace
+
+void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
+                           const InterpolationPlan& plan, RotationInterpolation rotation,
+                           Clip& new_clip) {
+  if (plan.turning_joints.empty() && plan.free_rotations.empty()) return;
+  Workspace work;
+  auto next = steps.begin();
+  while (next != steps.end()) {
+    std::vector<Step> some;
+    for (; next != steps.end() && some.size() < kStepsPerBatch; ++next) {
+      if (!next->is_copy()) some.push_back(*next);
+    }
+    const bool is_cubic = rotation == RotationInterpolation::Cubic;
+    const Batch batch = make_batch(std::move(some), old_clip.num_frames, is_cubic);
+    if (batch.steps.empty()) continue;
+    for (const TurningJoint& joint : plan.turning_joints) {
+      turn_joint(old_clip, batch, joint, rotation, work, new_clip);
+    }
+    for (const FreeRotation& free : plan.free_rotations) {
+      turn_freely(old_clip, batch, free, rotation, work, new_clip);
+    }
+  }
+}
+
+}  // namespace kinefile::retiming

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "retime/interpolate_plan.hpp"
+#include "retime/interpolate_steps.hpp"
+
+namespace kinefile::retiming {
+
+/// Fills the columns of rotations in the new rows where a step is no copy.
+/// \param new_clip  in: angles that the new ones are to be near; out: the new ones
+void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
+                           const InterpolationPlan& plan, RotationInterpolation rotation,
+                           Clip& new_clip);
+
+}  // namespace kinefile::retiming

@@ -60,6 +60,9 @@ void add_fk(CLI::App& app, Globals& globals);
 void add_convert(CLI::App& app, Globals& globals);
 void add_diff(CLI::App& app, Globals& globals);
 void add_edit(CLI::App& app, Globals& globals);
+void add_warp(CLI::App& app, Globals& globals);
+void add_align(CLI::App& app, Globals& globals);
+void add_resample(CLI::App& app, Globals& globals);
 void add_formats(CLI::App& app, Globals& globals);
 
 /// Writes the man page, or the completions for a shell: "man", "bash", "zsh" or "fish".

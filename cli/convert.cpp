@@ -15,21 +15,16 @@ struct Convert {
   Reading reading;
 };
 
-/// Gives the motion the channels that were asked for.
-Result<void> change_channels(const Convert& convert, Document& document, Diagnostics& diagnostics) {
+/// The channels that were asked for.
+ChannelOptions channels_of(const Convert& convert) {
   ChannelOptions options;
-  options.lenient = convert.reading.is_lenient;
-  const auto kept = document.extras.file.find("positions");
-  options.adds_positions = kept != document.extras.file.end() && kept->second == "add";
   if (!convert.order.empty()) options.order = parse_rotation_order(convert.order);
   if (convert.channels == "root") options.positions = PositionChannels::Root;
   if (convert.channels == "all") options.positions = PositionChannels::All;
-  if (!options.order && options.positions == PositionChannels::AsIs) return {};
-  return change_motion(
-      document, [&](const Motion& motion) { return with_channels(motion, options, diagnostics); });
+  return options;
 }
 
-int run(const Convert& convert, const Globals& globals) {
+int run(Convert& convert, const Globals& globals) {
   const Format* format = output_format(convert.writing);
   if (format == nullptr) return no_output_format(convert.writing, globals);
   int exit_code = kDone;
@@ -37,9 +32,9 @@ int run(const Convert& convert, const Globals& globals) {
   if (!document) return exit_code;
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = convert.reading.is_strict;
-  auto changed = change_channels(convert, *document, diagnostics);
-  return write_document(std::move(changed), *document, *format, convert.writing, convert.in,
-                        diagnostics, globals);
+  convert.writing.channels = channels_of(convert);
+  return write_document({}, std::move(*document), *format, convert.writing, convert.in,
+                        convert.reading, diagnostics, globals);
 }
 
 std::string check_order(const std::string& text) {

@@ -48,18 +48,18 @@ Result<void> apply(const std::vector<Operation>& operations, Document& document,
 int run(Edit& edit, const Globals& globals) {
   const auto operations = parse_operations(edit.words);
   if (!operations) return usage_error(globals, operations.error().message);
-  const bool is_in_own_format = edit.writing.out == "-" && edit.writing.to.empty();
-  const Format* format = output_format(edit.writing);
-  if (format == nullptr && !is_in_own_format) return no_output_format(edit.writing, globals);
+  if (edit.writing.out != "-" && output_format(edit.writing) == nullptr) {
+    return no_output_format(edit.writing, globals);
+  }
   int exit_code = kDone;
   auto document = load(edit.file, edit.reading, globals, exit_code);
   if (!document) return exit_code;
-  if (is_in_own_format) format = find_format(document->format);
+  const Format* format = output_format(edit.writing, *document);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = edit.reading.is_strict;
   auto applied = apply(*operations, *document, {edit.reading, diagnostics});
-  return write_document(std::move(applied), *document, *format, edit.writing, edit.file,
-                        diagnostics, globals);
+  return write_document(std::move(applied), std::move(*document), *format, edit.writing, edit.file,
+                        edit.reading, diagnostics, globals);
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ int run(int argc, char** argv) {
   add_fk(app, globals);
   add_convert(app, globals);
   add_diff(app, globals);
+  add_warp(app, globals);
+  add_align(app, globals);
+  add_resample(app, globals);
   add_edit(app, globals);
   add_formats(app, globals);
   for (int i = 1; i < argc; ++i) {

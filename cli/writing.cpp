@@ -39,14 +39,51 @@ int no_output_format(const Writing& writing, const Globals& globals) {
                      fmt::format("'{}' shows no format by its name; --to names it", writing.out));
 }
 
-int write_document(Result<void> made, const Document& document, const Format& format,
-                   const Writing& writing, const std::string& source, Diagnostics& diagnostics,
-                   const Globals& globals) {
-  if (made) {
-    WriteOptions options;
-    options.decimals = writing.decimals;
-    made = write_file(writing.out, document, format, options, writing.may_replace, diagnostics);
+const Format* output_format(const Writing& writing, const Document& input) {
+  if (writing.out == "-" && writing.to.empty()) return find_format(input.format);
+  return output_format(writing);
+}
+
+namespace {
+
+/// Puts a motion that needs no skeleton on the one that the output is to have.
+Result<Document> on_named_skeleton(Document&& document, const Reading& reading,
+                                   Diagnostics& diagnostics) {
+  Reading skeleton_reading = reading;
+  skeleton_reading.from.clear();
+  skeleton_reading.skeleton.clear();
+  const auto skeleton = load_quietly(reading.skeleton, skeleton_reading, diagnostics);
+  if (!skeleton) return fail(skeleton.error());
+  return on_skeleton_of(*skeleton, std::move(document), diagnostics);
+}
+
+Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
+                           const Reading& reading, Diagnostics& diagnostics) {
+  ChannelOptions channels = writing.channels;
+  channels.lenient = reading.is_lenient;
+  const auto kept = document.extras.file.find("positions");
+  channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
+  const bool has_other_skeleton =
+      !reading.skeleton.empty() && !format.companion.empty() && document.format != format.name;
+  if (has_other_skeleton) {
+    auto moved = on_named_skeleton(std::move(document), reading, diagnostics);
+    if (!moved) return fail(std::move(moved.error()));
+    document = std::move(*moved);
   }
+  auto adapted = adapted_to(format, std::move(document), channels, diagnostics);
+  if (!adapted) return fail(std::move(adapted.error()));
+  WriteOptions options;
+  options.decimals = writing.decimals;
+  options.writes_companion = reading.skeleton.empty();
+  return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
+}
+
+}  // namespace
+
+int write_document(Result<void> made, Document&& document, const Format& format,
+                   const Writing& writing, const std::string& source, const Reading& reading,
+                   Diagnostics& diagnostics, const Globals& globals) {
+  if (made) made = write_adapted(std::move(document), format, writing, reading, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (made) return kDone;
   if (made.error().place.source.empty()) made.error().place.source = source;

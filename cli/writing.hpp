@@ -14,6 +14,7 @@ struct Writing {
   std::string to;   ///< the name of a format; empty: the output's name tells
   std::optional<int> decimals;
   bool may_replace = false;
+  ChannelOptions channels;  ///< that the motion is to have
 };
 
 /// Gives a command the options of `Writing` but for the output itself, which some take by place.
@@ -25,14 +26,20 @@ const Format* output_format(const Writing& writing);
 /// Reports that the output shows no format. Returns kUsage.
 int no_output_format(const Writing& writing, const Globals& globals);
 
-/// Ends a command that makes a document out of a file: writes it, unless making it failed, and
+/// The format of a command's output that may be left out: then it is standard output, in the
+/// format of the input. Null if it shows no format.
+const Format* output_format(const Writing& writing, const Document& input);
+
+/// Ends a command that makes a document out of a file: brings it into the format's form and writes
+/// it, unless making it failed, and
 /// reports on stderr what was noticed on the way. Returns the exit code.
 /// \param made         how making the document went
 /// \param source       the file that errors without a place are told of
+/// \param reading      how that was read; a skeleton that it names is the output's, too
 /// \param diagnostics  what was noticed while it was made
-int write_document(Result<void> made, const Document& document, const Format& format,
-                   const Writing& writing, const std::string& source, Diagnostics& diagnostics,
-                   const Globals& globals);
+int write_document(Result<void> made, Document&& document, const Format& format,
+                   const Writing& writing, const std::string& source, const Reading& reading,
+                   Diagnostics& diagnostics, const Globals& globals);
 
 /// Changes the motion of a document by a function from Motion to Result<Motion>; a skeleton alone
 /// is given to it as a motion without frames.

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(a->clip.num_frames == b->clip.num_frames);
   require(same_values(a->clip.values, b->clip.values));
   Diagnostics ignored;
-  const auto bones = adapted_to(*find_format("amc"), *first, true, ignored);
+  const auto bones = adapted_to(*find_format("amc"), *first, {.lenient = true}, ignored);
   if (!bones) return 0;
   check_document(*bones);
   written(*bones, "asf");

@@ -42,11 +42,6 @@ std::size_t guess_mirror_axis(const Skeleton& skeleton);
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
 Motion scaled(const Motion& motion, double factor);
 
-/// The axis that points up: 1 for y, 2 for z. The one along which the joints lie high over the
-/// lowest of them while that stays at one level, as feet on the ground do; told from 64 frames of
-/// the motion, or from the rest pose without frames. In doubt y.
-std::size_t guess_up_axis(const Motion& motion);
-
 /// The same motion in coordinates in which another axis points up: turned about x by a quarter.
 /// The skeleton's offsets and axes turn along, so that angles stay as they are: every bit but the
 /// sign of columns whose axis would come to point along -x, -y or -z, which is turned around. To z
@@ -71,7 +66,7 @@ Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_b
 /// skeletons agree if names, parents, degrees of freedom and columns do, and offsets to 1e-6 of the
 /// skeleton's size; rest values may differ. Frame rates agree to 1e-6. \errors EDT005 (Usage) if
 /// the skeletons or frame rates differ, one has fewer frames than are
-///         to be blended, or the result would have more than 2^31 values
+///         to be blended, or the result would have more than 2^30 values
 Result<Motion> appended(const Motion& first, const Motion& second, std::size_t num_blend_frames);
 
 /// The motion of some joints and of all joints above them, which keep their places in the world.

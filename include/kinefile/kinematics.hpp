@@ -59,4 +59,9 @@ struct Box {
 /// that are not finite are left out.
 Box world_extent(const Skeleton& skeleton, const Clip& clip);
 
+/// The axis that points up: 1 for y, 2 for z. The one along which the joints lie high over the
+/// lowest of them while that stays at one level, as feet on the ground do; told from 64 frames of
+/// the motion, or from the rest pose without frames. In doubt y.
+std::size_t guess_up_axis(const Motion& motion);
+
 }  // namespace kinefile

@@ -85,14 +85,14 @@ struct WarpOptions {
 /// Where the exact old frame is a whole one, that is what is found. The last new frame is the last
 /// whole one: with a tail that does not keep the length it need not show the motion's end.
 /// \errors RTM001 (Usage) if the keys do not give a map: out of the motion, out of order, a hold
-///         or a reversal that is not allowed, no room for them; or more frames than 2^31
+///         or a reversal that is not allowed, no room for them; or more frames than 2^27
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options);
 
 /// The map to another frame rate: the same duration, the end included. Where the duration is no
 /// whole number of new frames, a last frame that shows the end is added.
 /// Frame times that were cut off from a whole rate (0.0083333) stand for that rate, see
 /// `nominal_frame_rate`; frames with times of their own are found by these.
-/// \errors RTM002 (Usage) if the rate is not above 0, if there would be more frames than 2^31, or
+/// \errors RTM002 (Usage) if the rate is not above 0, if there would be more frames than 2^27, or
 ///         if the frames' own times go back
 Result<TimeMap> resample_map(const Clip& clip, double frame_rate);
 
@@ -165,7 +165,7 @@ struct RetimeOptions {
 /// With `antialias`, where more than one old frame goes by in a new one, frames are averaged by a
 /// Gaussian curve with a sigma of half as many frames, cut at three sigma.
 /// \errors RTM005 (InvalidInput) if a joint would have to be interpolated between numbers that are
-///         not finite, and not `lenient`
+///         not finite, and not `lenient`; RTM008 (Usage) for more than 2^30 values
 Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
                       Diagnostics& diagnostics);
 

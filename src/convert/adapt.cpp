@@ -27,20 +27,22 @@ bool repeats_an_axis(const Joint& joint) {
   return false;
 }
 
-Result<Motion> for_bvh(Motion motion, bool lenient, Diagnostics& diagnostics) {
+bool asks_for_channels(const ChannelOptions& channels) {
+  return channels.order || channels.positions != PositionChannels::AsIs;
+}
+
+Result<Motion> for_bvh(const Motion& motion, ChannelOptions channels, Diagnostics& diagnostics) {
   auto aligned = with_world_aligned_rest(motion);
   if (!aligned) return aligned;
-  auto inherited = without_tail_translations(*aligned, lenient, diagnostics);
+  auto inherited = without_tail_translations(*aligned, channels.lenient, diagnostics);
   if (!inherited) return inherited;
-  ChannelOptions options;
-  options.usual_order = kUsualOrder;
-  options.lenient = lenient;
-  auto plain = with_channels(without_inner_tips(*inherited), options, diagnostics);
+  channels.usual_order = kUsualOrder;
+  auto plain = with_channels(without_inner_tips(*inherited), channels, diagnostics);
   if (!plain) return plain;
   return without_unread_columns(*plain);
 }
 
-Result<Motion> for_bones(Motion motion, bool lenient, Diagnostics& diagnostics) {
+Result<Motion> for_bones(Motion motion, ChannelOptions channels, Diagnostics& diagnostics) {
   const auto& joints = motion.skeleton.joints;
   const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
     return joint.parent != kNoParent && turns_at_rest(joint);
@@ -50,37 +52,57 @@ Result<Motion> for_bones(Motion motion, bool lenient, Diagnostics& diagnostics) 
     if (!aligned) return aligned;
     motion = std::move(*aligned);
   }
-  if (std::any_of(motion.skeleton.joints.begin(), motion.skeleton.joints.end(), repeats_an_axis)) {
-    ChannelOptions options;
-    options.order = kUsualOrder;
-    auto turned = with_channels(motion, options, diagnostics);
-    if (!turned) return turned;
-    motion = std::move(*turned);
+  const bool has_repeated_axes =
+      std::any_of(motion.skeleton.joints.begin(), motion.skeleton.joints.end(), repeats_an_axis);
+  if (has_repeated_axes && !channels.order) channels.order = kUsualOrder;
+  if (asks_for_channels(channels)) {
+    auto changed = with_channels(motion, channels, diagnostics);
+    if (!changed) return changed;
+    motion = std::move(*changed);
   }
-  return with_bones(motion, lenient, diagnostics);
+  return with_bones(motion, channels.lenient, diagnostics);
+}
+
+/// The motion of a document, or its skeleton as a motion without frames.
+Motion take_motion(Document& document) {
+  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
+  Motion still{std::get<Skeleton>(std::move(document.content)), {}};
+  still.clip.num_coordinates = still.skeleton.coordinates.size();
+  return still;
 }
 
 }  // namespace
 
-Result<Document> adapted_to(const Format& format, Document document, bool lenient,
+Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
                             Diagnostics& diagnostics) {
   const bool is_for_bones = format.name == "asf" || format.name == "amc";
-  const bool is_for_bvh = format.name == "bvh";
-  // What a BVH file was read as, BVH can write.
-  const bool is_ready = !is_for_bones && (!is_for_bvh || document.format == "bvh");
-  if (is_ready) return document;
-  Motion* motion = std::get_if<Motion>(&document.content);
-  Motion work = motion != nullptr ? std::move(*motion)
-                                  : Motion{std::get<Skeleton>(std::move(document.content)), {}};
-  work.clip.num_coordinates = work.skeleton.coordinates.size();
-  auto adapted = is_for_bones ? for_bones(std::move(work), lenient, diagnostics)
-                              : for_bvh(std::move(work), lenient, diagnostics);
+  const bool is_for_bvh = format.name == "bvh" && document.format != "bvh";
+  if (!is_for_bones && !is_for_bvh && !asks_for_channels(channels)) return document;
+  const bool has_motion = std::holds_alternative<Motion>(document.content);
+  const Motion motion = take_motion(document);
+  auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
+                 : is_for_bvh ? for_bvh(motion, channels, diagnostics)
+                              : with_channels(motion, channels, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
-  if (motion != nullptr) {
+  if (has_motion) {
     document.content = std::move(*adapted);
   } else {
     document.content = std::move(adapted->skeleton);
   }
+  return document;
+}
+
+Result<Document> on_skeleton_of(const Document& skeleton, Document document,
+                                Diagnostics& diagnostics) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (motion == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CNV001",
+                           "expected a motion to put on another skeleton, found a skeleton alone"));
+  }
+  auto moved = onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
+  if (!moved) return fail(std::move(moved.error()));
+  document.content = std::move(*moved);
+  document.extras = skeleton.extras;
   return document;
 }
 

@@ -88,9 +88,9 @@ std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
   return std::nullopt;
 }
 
-/// Whether a clip of so many frames stays below what we make: 2^31 values.
+/// Whether a clip of so many frames stays below what we make: 2^30 values.
 bool is_too_large(double num_frames, std::size_t num_columns) {
-  constexpr double kMostValues = 2147483648.0;
+  constexpr double kMostValues = 1073741824.0;
   return num_frames * static_cast<double>(std::max<std::size_t>(num_columns, 1)) > kMostValues;
 }
 
@@ -141,7 +141,7 @@ Result<Motion> appended(const Motion& first, const Motion& second, std::size_t n
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
-    return fail(cannot_join("the motion would have more than 2^31 values"));
+    return fail(cannot_join("the motion would have more than 2^30 values"));
   }
   Motion result = first;
   append_to(result, second, num_blend_frames);
@@ -157,7 +157,7 @@ Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_b
   }
   if (is_too_large(static_cast<double>(clip.num_frames) * static_cast<double>(count),
                    clip.num_coordinates)) {
-    return fail(cannot_join("the motion would have more than 2^31 values"));
+    return fail(cannot_join("the motion would have more than 2^30 values"));
   }
   Motion result = motion;
   if (clip.num_frames == 0) return result;

@@ -96,7 +96,7 @@ Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& d
                            "ball), found none"));
   }
   const retiming::FootTracks tracks = retiming::track_feet(motion, points);
-  const std::size_t up = retiming::up_axis(tracks);
+  const std::size_t up = guess_up_axis(motion);
   const double metres = metres_per_unit(motion.skeleton, up, diagnostics);
   std::vector<double> weights(motion.clip.num_frames, 0.0);
   for (const auto& track : tracks.positions) {

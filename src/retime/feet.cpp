@@ -24,19 +24,6 @@ bool is_called_foot(const std::string& name) {
   return has("foot") || has("toe") || has("ankle") || is_ball || has("\u8db3");
 }
 
-/// The mean of points that are finite.
-struct Mean {
-  Vec3 sum = Vec3::Zero();
-  double count = 0;
-
-  void add(const Vec3& point) {
-    if (!point.allFinite()) return;
-    sum += point;
-    ++count;
-  }
-  Vec3 value() const { return count > 0 ? Vec3(sum / count) : Vec3::Zero(); }
-};
-
 Vec3 point_at(const std::vector<double>& points, std::size_t index) {
   return {points[index * 3], points[index * 3 + 1], points[index * 3 + 2]};
 }
@@ -66,33 +53,21 @@ std::vector<FootPoint> find_foot_points(const Skeleton& skeleton) {
 FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points) {
   FootTracks tracks;
   tracks.positions.resize(points.size());
-  Mean body;
-  Mean feet;
   KinematicsOptions options;
   options.num_frames = frames_per_block(motion.skeleton);
   options.tips = true;
   for (; options.first_frame < motion.clip.num_frames; options.first_frame += options.num_frames) {
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
     for (std::size_t row = 0; row < poses.num_frames; ++row) {
-      for (std::size_t j = 0; j < poses.num_joints; ++j) {
-        body.add(point_at(poses.positions, row * poses.num_joints + j));
-      }
       for (std::size_t p = 0; p < points.size(); ++p) {
         const Vec3 position =
             points[p].is_tip ? point_at(poses.tips, row * poses.num_tips + points[p].tip)
                              : point_at(poses.positions, row * poses.num_joints + points[p].joint);
         tracks.positions[p].push_back(position);
-        feet.add(position);
       }
     }
   }
-  tracks.body_from_feet = body.value() - feet.value();
   return tracks;
-}
-
-std::size_t up_axis(const FootTracks& tracks) {
-  const Vec3 distance = tracks.body_from_feet.cwiseAbs();
-  return distance.z() > distance.y() && distance.z() > distance.x() ? 2 : 1;
 }
 
 }  // namespace kinefile::retiming

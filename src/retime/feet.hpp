@@ -20,17 +20,12 @@ struct FootPoint {
 /// tips: of a toe, the ball of the foot rests longer than the tip.
 std::vector<FootPoint> find_foot_points(const Skeleton& skeleton);
 
-/// Where the feet are over a clip, and where the body is above them.
+/// Where the feet are over a clip.
 struct FootTracks {
   std::vector<std::vector<Vec3>> positions;  ///< [foot point][frame]
-  Vec3 body_from_feet = Vec3::Zero();        ///< the mean of all joints, seen from the mean foot
 };
 
-/// Follows foot points through a clip; what is not finite does not count in the means.
+/// Follows foot points through a clip.
 FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points);
-
-/// Which axis points up: z where the body is further along z from the feet than along x and y,
-/// else y.
-std::size_t up_axis(const FootTracks& tracks);
 
 }  // namespace kinefile::retiming

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinefile/kinematics.hpp"
 
@@ -18,6 +19,13 @@ void append_joints(const std::vector<double>& all, const PoseArrays& poses, std:
       const double* numbers = &all[(row * poses.num_joints + joint) * size];
       some.insert(some.end(), numbers, numbers + size);
     }
+  }
+}
+
+/// Brings the axis that points up to y.
+void stand_up(std::vector<double>& points) {
+  for (std::size_t p = 0; p < points.size(); p += 3) {
+    points[p + 2] = -std::exchange(points[p + 1], points[p + 2]);
   }
 }
 
@@ -63,6 +71,7 @@ FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
     append_joints(poses.positions, poses, 3, joints, frames.points);
   }
+  if (guess_up_axis(motion) == 2) stand_up(frames.points);
   for (std::size_t frame = 0; frame < motion.clip.num_frames; ++frame) {
     double* points = frames.points.data() + frame * joints.size() * 3;
     frames.spreads.push_back(centre_on_ground(points, joints.size()));

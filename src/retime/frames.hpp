@@ -7,7 +7,7 @@
 namespace kinefile::retiming {
 
 /// No map has more frames.
-inline constexpr double kMostFrames = 2147483648.0;  // 2^31
+inline constexpr double kMostFrames = 134217728.0;  // 2^27
 
 /// The whole number that a count of frames stands for, if it is one but for the rounding of the
 /// arithmetic that it comes from; else the number itself.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 
 #include "retime/interpolate_gaps.hpp"
@@ -9,6 +12,8 @@
 
 namespace kinefile {
 namespace {
+
+constexpr std::size_t kMostValues = std::size_t{1} << 30;  // 8 GiB
 
 /// The old timeline for another number of frames: times of single frames do not fit any more.
 Timeline without_times(Timeline timeline) {
@@ -32,6 +37,12 @@ Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOpti
   const Clip& old_clip = motion.clip;
   assert(old_clip.num_coordinates == motion.skeleton.coordinates.size());
   assert(old_clip.num_frames > 0 || map.old_frames.empty());
+  if (map.old_frames.size() > kMostValues / std::max<std::size_t>(old_clip.num_coordinates, 1)) {
+    return fail(make_error(ErrorKind::Usage, "RTM008",
+                           fmt::format("expected a motion of 2^30 values at the most, found {} "
+                                       "frames of {}",
+                                       map.old_frames.size(), old_clip.num_coordinates)));
+  }
   Motion result{motion.skeleton, empty_clip(old_clip, map)};
   if (result.clip.num_frames == 0) return result;
   const auto steps = retiming::steps_of(map.old_frames, old_clip.num_frames, options.antialias);

@@ -156,7 +156,7 @@ Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double
   tail.end = retiming::without_rounding(end);
   if (!(tail.end < retiming::kMostFrames)) {
     return refuse(
-        fmt::format("expected at most 2147483648 new frames, found keys that give {}", end));
+        fmt::format("expected at most 134217728 new frames, found keys that give {}", end));
   }
   return tail;
 }
@@ -256,7 +256,7 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
 
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
   if (static_cast<double>(num_frames) > retiming::kMostFrames) {
-    return refuse(fmt::format("expected at most 2147483648 frames, found {}", num_frames));
+    return refuse(fmt::format("expected at most 134217728 frames, found {}", num_frames));
   }
   if (num_frames == 0) {
     if (options.keys.empty()) return TimeMap{};

@@ -160,7 +160,7 @@ TEST(Looped, RefusesNoneAndTooMany) {
   const Motion walk = examples::make_walk({.num_frames = 4});
   EXPECT_EQ(refusal_of(looped(walk, 0, 0)), "a motion cannot be played 0 times");
   EXPECT_EQ(refusal_of(looped(walk, std::size_t{1} << 60, 0)),
-            "the motion would have more than 2^31 values");
+            "the motion would have more than 2^30 values");
   EXPECT_EQ(refusal_of(looped(walk, 2, 5)), "5 frames cannot be blended where a motion has 4");
 }
 

@@ -209,7 +209,7 @@ double largest_step(const Motion& motion) {
 
 Document converted(Document document, const std::string& format) {
   Diagnostics diagnostics;
-  auto result = adapted_to(*find_format(format), std::move(document), false, diagnostics);
+  auto result = adapted_to(*find_format(format), std::move(document), {}, diagnostics);
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? std::move(*result) : Document{};
 }
@@ -242,7 +242,7 @@ TEST(AcclaimRealFiles, RealBvhFilesBecomeBonesWithEveryJointInItsPlace) {
     const ReadText bvh = read_bvh(bytes_of(entry.path()));
     const Motion& motion = bvh.motion();
     Diagnostics diagnostics;
-    auto bones = adapted_to(*find_format("amc"), *bvh.document, false, diagnostics);
+    auto bones = adapted_to(*find_format("amc"), *bvh.document, {}, diagnostics);
     if (!bones) {  // several roots, scale
       EXPECT_EQ(bones.error().code, "BRG003") << entry.path();
       continue;

@@ -19,7 +19,7 @@ Document read_document(const std::string& text, const std::string& skeleton) {
 }
 
 Document adapted(Document document, const std::string& format, Diagnostics& diagnostics) {
-  auto result = adapted_to(*find_format(format), std::move(document), false, diagnostics);
+  auto result = adapted_to(*find_format(format), std::move(document), {}, diagnostics);
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? std::move(*result) : Document{};
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "report.hpp"
+#include "retiming.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct Align {
+  std::string file;
+  std::string reference;
+  std::string by = "angles";
+  Retiming retiming;
+};
+
+int run(Align& align, const Globals& globals) {
+  int exit_code = kDone;
+  const Reading& reading = align.retiming.reading;
+  auto document = load_motion(align.file, reading, globals, exit_code);
+  const auto reference = load_motion(align.reference, reading, globals, exit_code);
+  if (!document || !reference) return exit_code;
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = reading.is_strict;
+  AlignOptions options;
+  if (align.by == "points") options.by = AlignOptions::By::Points;
+  auto map =
+      align_map(std::get<Motion>(document->content), std::get<Motion>(reference->content), options);
+  // Without a file to write the motion to, the map is what was asked for.
+  const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
+  align.retiming.prints_table |= !has_output;
+  return finish_retiming(std::move(map), std::move(*document), align.file, align.retiming,
+                         diagnostics, globals);
+}
+
+}  // namespace
+
+void add_align(CLI::App& app, Globals& globals) {
+  auto align = std::make_shared<Align>();
+  CLI::App* command = app.add_subcommand(
+      "align", "Find the times that bring one motion onto another; print or apply them");
+  command->add_option("A", align->file, "The motion to bring onto the other")->required();
+  command->add_option("B", align->reference, "The motion that sets the times")->required();
+  command
+      ->add_option("--by", align->by,
+                   "What frames are compared by: the angles of joints, or the points where they "
+                   "are, wherever on the ground")
+      ->check(CLI::IsMember({"angles", "points"}))
+      ->default_str("angles")
+      ->type_name("WHAT");
+  add_retiming_options(*command, align->retiming, true);
+  command->callback(
+      [align, &globals] { globals.run = [align, &globals] { return run(*align, globals); }; });
+}
+
+}  // namespace kinefile::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "report.hpp"
+#include "retiming.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct Resample {
+  std::string file;
+  double frame_rate = 0;
+  Retiming retiming;
+};
+
+int run(const Resample& resample, const Globals& globals) {
+  int exit_code = kDone;
+  auto document = load_motion(resample.file, resample.retiming.reading, globals, exit_code);
+  if (!document) return exit_code;
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = resample.retiming.reading.is_strict;
+  auto map = resample_map(std::get<Motion>(document->content).clip, resample.frame_rate);
+  return finish_retiming(std::move(map), std::move(*document), resample.file, resample.retiming,
+                         diagnostics, globals);
+}
+
+}  // namespace
+
+void add_resample(CLI::App& app, Globals& globals) {
+  auto resample = std::make_shared<Resample>();
+  CLI::App* command =
+      app.add_subcommand("resample", "Give a motion another frame rate and the same duration");
+  command->add_option("FILE", resample->file, "File to read; - is standard input")->required();
+  add_retiming_options(*command, resample->retiming, false);
+  // Here the rate is the output's; what the input's is, the file says.
+  command->remove_option(command->get_option("--fps"));
+  command->add_option("--fps", resample->frame_rate, "Frames a second of the output")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->required()
+      ->type_name("RATE");
+  command
+      ->add_option("--fps-in", resample->retiming.reading.fps,
+                   "Frames a second of the input, instead of what the file says")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->type_name("RATE");
+  command->callback([resample, &globals] {
+    globals.run = [resample, &globals] { return run(*resample, globals); };
+  });
+}
+
+}  // namespace kinefile::cli

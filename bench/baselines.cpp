@@ -26,6 +26,25 @@ double sum_with_fast_float(std::string_view numbers) {
   }
 }
 
+double sum_words_with_fast_float(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; };
+  const char* p = text.data();
+  const char* end = p + text.size();
+  double sum = 0;
+  while (true) {
+    while (p != end && is_blank(*p)) ++p;
+    if (p == end) return sum;
+    double value = 0;
+    const auto read = fast_float::from_chars(p, end, value);
+    p = read.ptr;
+    if (read.ec == std::errc()) {
+      sum += value;
+    } else {
+      while (p != end && !is_blank(*p)) ++p;
+    }
+  }
+}
+
 double sum_with_ifstream(const std::string& path) {
   std::ifstream file(path);
   std::string line;

@@ -17,6 +17,10 @@ std::string_view numbers_of_bvh(std::string_view text);
 /// Skips blanks, reads a number with fast_float, adds it up; nothing is stored.
 double sum_with_fast_float(std::string_view numbers);
 
+/// As `sum_with_fast_float`, but over a text that has other words, too, such as the names of bones:
+/// a word that is no number is passed over to the next blank.
+double sum_words_with_fast_float(std::string_view text);
+
 /// Reads the numbers of a BVH file with `ifstream >>` and adds them up.
 double sum_with_ifstream(const std::string& path);
 

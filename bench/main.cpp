@@ -22,9 +22,11 @@ namespace {
 
 constexpr std::size_t kFrames = 88'000;  // about 50 MB of text
 
-/// What the benchmarks work on.
+/// What the benchmarks work on: the walk as BVH, and as AMC with its skeleton beside it.
 struct Subject {
+  std::string folder;
   std::string path;
+  std::string amc_path;
   Motion motion;
 };
 
@@ -51,6 +53,22 @@ void read_bare_loop(benchmark::State& state) {
   for (auto _ : state) {
     const auto bytes = FileBytes::open(subject().path);
     benchmark::DoNotOptimize(sum_with_fast_float(numbers_of_bvh(bytes->view())));
+  }
+}
+
+void read_amc_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    Diagnostics diagnostics;
+    auto document = read_file(subject().amc_path, find_format("amc"), {}, diagnostics);
+    if (!document) state.SkipWithError("not read");
+    benchmark::DoNotOptimize(document);
+  }
+}
+
+void read_amc_bare_loop(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().amc_path);
+    benchmark::DoNotOptimize(sum_words_with_fast_float(bytes->view()));
   }
 }
 
@@ -193,24 +211,29 @@ void print_ratio(const Reporter& reporter, std::string_view what, const std::str
   fmt::print("{:<58}{:.2f}\n", what, reporter.best(baseline) / reporter.best(ours));
 }
 
+void write_or_exit(const std::string& path, const Document& document, const char* format) {
+  Diagnostics diagnostics;
+  const auto written = write_file(path, document, *find_format(format), {}, true, diagnostics);
+  if (written) return;
+  fmt::print(stderr, "{}\n", to_string(written.error()));
+  std::exit(1);
+}
+
 void prepare() {
-  std::string name = std::filesystem::temp_directory_path() / "kinefile-bench.XXXXXX.bvh";
-  const int descriptor = mkstemps(name.data(), 4);
-  if (descriptor < 0) {
-    fmt::print(stderr, "{} cannot be written\n", name);
+  std::string folder = std::filesystem::temp_directory_path() / "kinefile-bench.XXXXXX";
+  if (mkdtemp(folder.data()) == nullptr) {
+    fmt::print(stderr, "{} cannot be made\n", folder);
     std::exit(1);
   }
-  close(descriptor);
-  subject().path = name;
+  subject().folder = folder;
+  subject().path = folder + "/walk.bvh";
+  subject().amc_path = folder + "/walk.amc";
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
+  write_or_exit(subject().path, document, "bvh");
   Diagnostics diagnostics;
-  const auto written =
-      write_file(subject().path, document, *find_format("bvh"), {}, true, diagnostics);
-  if (!written) {
-    fmt::print(stderr, "{}\n", to_string(written.error()));
-    std::exit(1);
-  }
+  const auto bones = adapted_to(*find_format("amc"), std::move(document), {}, diagnostics);
+  write_or_exit(subject().amc_path, bones.value(), "amc");
 }
 
 int run(int argc, char** argv) {
@@ -234,6 +257,8 @@ int run(int argc, char** argv) {
   add("read/kinefile", read_kinefile);
   add("read/bare_fast_float_loop", read_bare_loop);
   add("read/ifstream", read_ifstream);
+  add("read_amc/kinefile", read_amc_kinefile);
+  add("read_amc/bare_fast_float_loop", read_amc_bare_loop);
   add("fk/kinefile", fk_kinefile);
   add("fk/eigen_per_frame", fk_eigen);
   add("write/kinefile", write_kinefile);
@@ -247,6 +272,8 @@ int run(int argc, char** argv) {
   print_ratio(reporter, "reading a file, against a bare fast_float loop", "read/kinefile",
               "read/bare_fast_float_loop");
   print_ratio(reporter, "reading a file, against ifstream >>", "read/kinefile", "read/ifstream");
+  print_ratio(reporter, "reading AMC, against a bare fast_float loop over its bytes",
+              "read_amc/kinefile", "read_amc/bare_fast_float_loop");
   print_ratio(reporter, "forward kinematics, against a plain Eigen loop", "fk/kinefile",
               "fk/eigen_per_frame");
   print_ratio(reporter, "warping time, against a plain Eigen slerp loop", "warp/kinefile",
@@ -258,7 +285,7 @@ int run(int argc, char** argv) {
              disagreement());
   fmt::print("{:<58}{:.1e}\n", "largest difference of the two warps, relative",
              warp_disagreement());
-  std::filesystem::remove(subject().path);
+  std::filesystem::remove_all(subject().folder);
   return 0;
 }
 

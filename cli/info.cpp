@@ -84,6 +84,18 @@ std::string extra(const Document& document, const std::string& key) {
   return found == document.extras.file.end() ? "" : found->second;
 }
 
+/// How the file is written, in the words of its format.
+std::string dialect_of(const Document& document) {
+  std::string text =
+      fmt::format("{}, line ends {}", extra(document, "encoding"), extra(document, "line_end"));
+  const std::string positions = extra(document, "positions");
+  if (!positions.empty()) {
+    text += fmt::format(", positions {} OFFSET", positions == "add" ? "added to" : "replace");
+  }
+  const std::string skeleton = extra(document, "skeleton");
+  return skeleton.empty() ? text : text + fmt::format(", skeleton {}", skeleton);
+}
+
 std::string box_text(const Box& box) {
   if (box.min.x() > box.max.x()) return "nothing finite";
   return fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}", box.min.x(),
@@ -97,9 +109,7 @@ std::string text_of(const std::string& path, const Document& document) {
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
-  line("dialect", fmt::format("{}, line ends {}, positions {} OFFSET", extra(document, "encoding"),
-                              extra(document, "line_end"),
-                              extra(document, "positions") == "add" ? "added to" : "replace"));
+  line("dialect", dialect_of(document));
   const std::size_t num_roots = static_cast<std::size_t>(
       std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
                     [](const Joint& joint) { return joint.parent == kNoParent; }));

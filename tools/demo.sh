@@ -35,6 +35,24 @@ run diff walk.bvh walk_xyz.bvh --tolerance 1e-9
 run convert walk.bvh walk.csv --force
 run convert walk.bvh walk.json --force
 
+say "The same walk as Acclaim's skeleton and motion, and back: every joint in its place"
+run convert walk.bvh walk.amc --force
+run info walk.amc --quiet
+run convert walk.amc walk_again.bvh --quiet --force
+run diff walk.bvh walk_again.bvh --tolerance 1e-9 | grep -vE "^(only in|tips not)" || true
+
+say "Time warping: what frame 150 showed, frame 160 shall show"
+run warp walk.amc --key 150:160 --quiet -o walk_later.amc --force
+echo '$ kinefile warp walk.amc --key 150:160 --table'
+"$bin/kinefile" warp walk.amc --key 150:160 --table --quiet | sed -n '1,4p;160,162p'
+run fk walk.amc --quiet --frames 150:151 --joints LeftFoot
+run fk walk_later.amc --quiet --frames 160:161 --joints LeftFoot
+
+say "Other rates, mirrors, loops"
+run resample walk.amc --fps 30 --quiet -o walk_30.bvh --force
+run edit walk_30.bvh mirror trim=:60 loop=3,blend=10 in-place -o walk_loop.bvh --force
+run info walk_loop.bvh
+
 say "A file that was cut off is told with its place"
 head -c 20000 walk.bvh >cut.bvh
 run check cut.bvh || echo "(exit code $?)"

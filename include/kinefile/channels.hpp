@@ -31,7 +31,9 @@ struct ChannelOptions {
   PositionChannels positions = PositionChannels::AsIs;
   bool adds_positions = false;  ///< new position channels are added to offsets, not in their place;
                                 ///< as the motion's own are, if it has any that tell
-  bool lenient = false;         ///< drop positions that change, with a warning
+  bool replaces_offsets = false;  ///< positions are to stand in the place of offsets, whatever the
+                                  ///< motion's own do
+  bool lenient = false;           ///< drop positions that change, with a warning
 };
 
 /// Gives a motion other channels for the same movement: the world stays as it is.

@@ -37,6 +37,7 @@ Result<Motion> for_bvh(const Motion& motion, ChannelOptions channels, Diagnostic
   auto inherited = without_tail_translations(*aligned, channels.lenient, diagnostics);
   if (!inherited) return inherited;
   channels.usual_order = kUsualOrder;
+  channels.replaces_offsets = true;  // as BVH files are read
   auto plain = with_channels(without_inner_tips(*inherited), channels, diagnostics);
   if (!plain) return plain;
   return without_unread_columns(*plain);

@@ -127,6 +127,14 @@ bool are_plain(const Context& context, std::size_t joint_index, DofKind kind) {
   });
 }
 
+/// Whether a joint's translations are on top of its offset.
+bool adds_to_offset(const Joint& joint) {
+  return std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::Translation &&
+           (joint.rest_rotation.conjugate() * joint.offset).dot(dof.axis) != 0;
+  });
+}
+
 /// Gives a joint positions along x, y and z for those that it has along other axes, or from
 /// columns that others read, too.
 void replace_positions(const Context& context, const Joint& joint, JointChange& change) {
@@ -224,7 +232,8 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
       context.options.order.value_or(own_order(joint).value_or(context.options.usual_order));
   const auto rotations = rotations_of(joint);
   const bool has_plain_rotations = are_plain(context, joint_index, DofKind::Rotation);
-  const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation);
+  const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation) &&
+                                   !(context.options.replaces_offsets && adds_to_offset(joint));
   const bool keeps_rotations =
       has_plain_rotations &&
       (rotations.size() <= 1 || !context.options.order || is_in_order(rotations, order));
@@ -320,12 +329,13 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const Context context{motion,
-                        options,
-                        diagnostics,
-                        options.adds_positions || adds_positions(motion.skeleton),
-                        columns_of_joints(motion.skeleton),
-                        count_readers(motion.skeleton)};
+  const Context context{
+      motion,
+      options,
+      diagnostics,
+      !options.replaces_offsets && (options.adds_positions || adds_positions(motion.skeleton)),
+      columns_of_joints(motion.skeleton),
+      count_readers(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();

@@ -132,7 +132,7 @@ TEST(WithChannels, RootRefusesToLosePositionsThatMove) {
   EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
   EXPECT_EQ(refused.error().code, "EDT001");
   EXPECT_EQ(refused.error().message,
-            "joint 'a' moves along z, which is lost without its position channels");
+            "joint 'a' moves along Zposition, which is lost without its position channels");
   options.lenient = true;
   EXPECT_TRUE(with_channels(mixed, options, diagnostics));
   EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT001"});

@@ -209,8 +209,10 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
 void check_sections(Parser& parser, const AsfFile& file, const Sections& sections) {
   const char* end = parser.source.end();
   if (!sections.root) parser.error(code::kNoSection, "expected a :root section, found none", end);
-  if (file.bones.empty()) return;
-  if (!sections.hierarchy) {
+  if (!sections.bones) {
+    parser.repair(code::kNoSection, "expected a :bonedata section, found none",
+                  "the skeleton is the root alone", end);
+  } else if (!sections.hierarchy) {
     parser.error(code::kNoSection, "expected a :hierarchy section, found none", end);
   }
 }

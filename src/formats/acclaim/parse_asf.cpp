@@ -206,7 +206,7 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   }
 }
 
-void check_sections(Parser& parser, const AsfFile& file, const Sections& sections) {
+void check_sections(Parser& parser, const Sections& sections) {
   const char* end = parser.source.end();
   if (!sections.root) parser.error(code::kNoSection, "expected a :root section, found none", end);
   if (!sections.bones) {
@@ -290,7 +290,7 @@ AsfFile parse_asf(const text::Source& source, bool lenient, Diagnostics& diagnos
                  word.data());
     parser.lexer.take_lines_to_keyword();
   }
-  check_sections(parser, file, sections);
+  check_sections(parser, sections);
   check_reachable(parser, file, sections);
   return file;
 }

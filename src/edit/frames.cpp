@@ -78,16 +78,27 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
   }
 }
 
+/// Whether all movements of a joint are about and along x, y and z, up to their sign. Only then may
+/// some be turned around: three oblique axes would become their own mirror image.
+bool turns_about_plain_axes(const Joint& joint) {
+  return std::all_of(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::Free || dof.kind == DofKind::TailTranslation ||
+           coordinate_axis(dof.axis) || coordinate_axis(-dof.axis);
+  });
+}
+
 void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers, Joint& joint,
                 Motion& motion) {
   joint.offset = turn(joint.offset);
   for (Tip& tip : joint.tips) tip.offset = turn(tip.offset);
   joint.rest_rotation.vec() = turn(joint.rest_rotation.vec());
+  const bool is_plain = turns_about_plain_axes(joint);
   for (DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind == DofKind::Free) {
       turn_free_columns(turn, dof.coordinate, motion.clip);
     } else {
-      turn_axis(turn, readers[dof.coordinate] == 1, dof, motion);
+      const bool may_flip = is_plain && dof.kind != DofKind::TailTranslation;
+      turn_axis(turn, may_flip && readers[dof.coordinate] == 1, dof, motion);
     }
   }
 }

@@ -43,25 +43,34 @@ std::size_t axis_of_channel(std::string_view channel) {
   return at == std::string_view::npos ? 3 : at % 3;
 }
 
-/// Gives the rotations, or the translations, of a joint their words: those of their columns where
-/// these are different ones, else x, y and z in turn.
+/// What the words of a joint's rotations and translations are taken from.
+enum class WordsFrom {
+  Columns,  ///< the words of their columns, where these are different ones
+  Axes,     ///< their axes, where these are x, y and z
+};
+
+/// The coordinate axis that a degree of freedom's word is to name; 3 for none.
+std::size_t named_axis(const Skeleton& skeleton, const DegreeOfFreedom& dof, WordsFrom from) {
+  return from == WordsFrom::Columns ? axis_of_channel(skeleton.coordinates[dof.coordinate].channel)
+                                    : coordinate_axis(dof.axis).value_or(3);
+}
+
+/// Gives the rotations, or the translations, of a joint their words; x, y and z in turn where they
+/// have none of their own.
 void add_words(const Skeleton& skeleton, const std::vector<const DegreeOfFreedom*>& dofs,
-               DofWord first_word, std::vector<Worded>& worded) {
+               WordsFrom from, DofWord first_word, std::vector<Worded>& worded) {
   std::set<std::size_t> axes;
-  for (const DegreeOfFreedom* dof : dofs) {
-    axes.insert(axis_of_channel(skeleton.coordinates[dof->coordinate].channel));
-  }
+  for (const DegreeOfFreedom* dof : dofs) axes.insert(named_axis(skeleton, *dof, from));
   const bool are_named = axes.size() == dofs.size() && axes.count(3) == 0;
   for (std::size_t d = 0; d < dofs.size(); ++d) {
-    const std::size_t axis =
-        are_named ? axis_of_channel(skeleton.coordinates[dofs[d]->coordinate].channel) : d;
+    const std::size_t axis = are_named ? named_axis(skeleton, *dofs[d], from) : d;
     worded.push_back({dofs[d], static_cast<DofWord>(static_cast<std::size_t>(first_word) + axis)});
   }
 }
 
 /// The words of a joint in the order of application: translations, the length, then the rotations
 /// from the innermost on.
-Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& joint) {
+Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& joint, WordsFrom from) {
   std::vector<const DegreeOfFreedom*> translations;
   std::vector<const DegreeOfFreedom*> rotations;
   std::vector<const DegreeOfFreedom*> lengths;
@@ -86,9 +95,9 @@ Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& join
     return fail(not_expressible(joint, "has more than three movements of a kind"));
   }
   std::vector<Worded> worded;
-  add_words(skeleton, translations, DofWord::Tx, worded);
+  add_words(skeleton, translations, from, DofWord::Tx, worded);
   for (const DegreeOfFreedom* dof : lengths) worded.push_back({dof, DofWord::Length});
-  add_words(skeleton, rotations, DofWord::Rx, worded);
+  add_words(skeleton, rotations, from, DofWord::Rx, worded);
   return worded;
 }
 
@@ -186,20 +195,23 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extr
   if (!joint.rest_rotation.isApprox(Quat::Identity(), 0)) {
     return fail(not_expressible(joint, "is turned in its rest pose"));
   }
-  auto worded = words_of(skeleton, joint);
-  if (!worded) return fail(std::move(worded.error()));
-  order_by_columns(*worded);
-
   const auto words = extras.joints.find(joint.name);
   Bone bone = words == extras.joints.end() ? Bone{} : bone_of_extras(joint.name, words->second);
   bone.name = joint.name;
   const Vec3 end = joint.tips.front().offset;
   set_end(bone, end);
+  auto worded = words_of(skeleton, joint, WordsFrom::Columns);
+  if (!worded) return fail(std::move(worded.error()));
   if (!says_axes(bone.axis, *worded, unit)) {
-    const auto axes = axes_of(*worded);
+    auto axes = axes_of(*worded);
+    if (!axes) {
+      worded = words_of(skeleton, joint, WordsFrom::Axes);
+      axes = axes_of(*worded);
+    }
     if (!axes) return fail(not_expressible(joint, "moves about axes that are not at right angles"));
     bone.axis = orientation_of(*axes, unit);
   }
+  order_by_columns(*worded);
   for (const Worded& one : *worded) {
     const bool is_along = one.word != DofWord::Length || end.norm() == 0 ||
                           one.dof->axis.isApprox(end.normalized(), kSquareTolerance);
@@ -214,28 +226,37 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extr
   return bone;
 }
 
+/// Whether the root's words stand for its axes: it turns about x, y and z behind its orientation,
+/// and moves along the world's.
+bool says_root_axes(const Mat3& rest, const std::vector<Worded>& worded) {
+  return std::all_of(worded.begin(), worded.end(), [&rest](const Worded& one) {
+    const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(axis_of(one.word)));
+    const Vec3 stated = is_rotation(one.word) ? axis : Vec3(rest.transpose() * axis);
+    return one.word != DofWord::Length && one.dof->axis.isApprox(stated, kSquareTolerance);
+  });
+}
+
 Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit unit,
                          std::vector<std::size_t>& columns) {
   const Joint& joint = skeleton.joints.front();
   if (joint.name != "root") return fail(not_expressible(joint, "is the root under this name"));
   if (!joint.tips.empty()) return fail(not_expressible(joint, "has an end, though it is the root"));
-  auto worded = words_of(skeleton, joint);
+  const Mat3 rest = joint.rest_rotation.toRotationMatrix();
+  auto worded = words_of(skeleton, joint, WordsFrom::Columns);
+  if (worded && !says_root_axes(rest, *worded)) {
+    worded = words_of(skeleton, joint, WordsFrom::Axes);
+  }
   if (!worded) return fail(std::move(worded.error()));
+  if (!says_root_axes(rest, *worded)) {
+    return fail(not_expressible(joint, "moves about or along other axes than x, y and z"));
+  }
   order_by_columns(*worded);
   Root root;
   root.position = {joint.offset[0], joint.offset[1], joint.offset[2]};
   root.order = dofs_of(*worded);
   root.orientation = kept.orientation;
-  const Mat3 rest = joint.rest_rotation.toRotationMatrix();
   if (Quat(rotation_of(kept.orientation, unit)).coeffs() != joint.rest_rotation.coeffs()) {
     root.orientation = orientation_of(rest, unit);
-  }
-  for (const Worded& one : *worded) {
-    const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(axis_of(one.word)));
-    const Vec3 stated = is_rotation(one.word) ? axis : Vec3(rest.transpose() * axis);
-    if (one.word == DofWord::Length || !one.dof->axis.isApprox(stated, kSquareTolerance)) {
-      return fail(not_expressible(joint, "moves about or along other axes than x, y and z"));
-    }
   }
   columns = columns_of(*worded);
   return root;

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "frame_range.hpp"
+#include "numbers.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
@@ -26,17 +25,9 @@ struct OperationKind {
   Apply (*parse)(const std::string* argument);
 };
 
-template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [next, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && next == end ? std::optional(number) : std::nullopt;
-}
-
 std::optional<double> parse_above_zero(const std::string* text) {
-  const auto number = text != nullptr ? parse_number<double>(*text) : std::nullopt;
-  return number && *number > 0 && std::isfinite(*number) ? number : std::nullopt;
+  const auto number = text != nullptr ? parse_finite(*text) : std::nullopt;
+  return number && *number > 0 ? number : std::nullopt;
 }
 
 /// An operation that makes a motion out of a motion.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <memory>
 
+#include "numbers.hpp"
 #include "report.hpp"
 #include "retiming.hpp"
 
@@ -24,20 +23,12 @@ struct Warp {
   Retiming retiming;
 };
 
-std::optional<double> parse_number(std::string_view text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [next, error] = std::from_chars(text.data(), end, number);
-  const bool is_good = error == std::errc() && next == end && std::isfinite(number);
-  return is_good ? std::optional(number) : std::nullopt;
-}
-
 /// Reads OLD:NEW.
 std::optional<WarpKey> parse_key(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  const auto old_frame = parse_number(text.substr(0, colon));
-  const auto new_frame = parse_number(text.substr(colon + 1));
+  const auto old_frame = parse_finite(text.substr(0, colon));
+  const auto new_frame = parse_finite(text.substr(colon + 1));
   if (!old_frame || !new_frame) return std::nullopt;
   return WarpKey{*old_frame, *new_frame};
 }
@@ -54,12 +45,14 @@ std::string check_ease(const std::string& text) {
 }
 
 std::vector<WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
-  const double scale = warp.is_in_seconds ? nominal_frame_rate(timeline) : 1.0;
   std::vector<WarpKey> keys;
   for (const std::string& text : warp.keys) {
     for (const std::string& part : CLI::detail::split(text, ',')) {
-      const WarpKey key = *parse_key(part);
-      keys.push_back({key.old_frame * scale, key.new_frame * scale});
+      WarpKey key = *parse_key(part);
+      if (warp.is_in_seconds) {
+        key = {frame_of_time(timeline, key.old_frame), frame_of_time(timeline, key.new_frame)};
+      }
+      keys.push_back(key);
     }
   }
   return keys;

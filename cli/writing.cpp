@@ -46,15 +46,13 @@ const Format* output_format(const Writing& writing, const Document& input) {
 
 namespace {
 
-/// Puts a motion that needs no skeleton on the one that the output is to have.
-Result<Document> on_named_skeleton(Document&& document, const Reading& reading,
-                                   Diagnostics& diagnostics) {
+/// Reads the skeleton that the output is to have.
+Result<Document> load_skeleton(const Reading& reading, Diagnostics& diagnostics) {
   Reading skeleton_reading = reading;
   skeleton_reading.from.clear();
+  skeleton_reading.encoding.clear();
   skeleton_reading.skeleton.clear();
-  const auto skeleton = load_quietly(reading.skeleton, skeleton_reading, diagnostics);
-  if (!skeleton) return fail(skeleton.error());
-  return on_skeleton_of(*skeleton, std::move(document), diagnostics);
+  return load_quietly(reading.skeleton, skeleton_reading, diagnostics);
 }
 
 Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
@@ -63,18 +61,24 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   channels.lenient = reading.is_lenient;
   const auto kept = document.extras.file.find("positions");
   channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
-  const bool has_other_skeleton =
-      !reading.skeleton.empty() && !format.companion.empty() && document.format != format.name;
-  if (has_other_skeleton) {
-    auto moved = on_named_skeleton(std::move(document), reading, diagnostics);
+  WriteOptions options;
+  options.decimals = writing.decimals;
+  const bool has_named_skeleton = !reading.skeleton.empty() && !format.companion.empty();
+  bool is_companion_there = has_named_skeleton;
+  if (has_named_skeleton && document.format != format.name) {
+    const auto skeleton = load_skeleton(reading, diagnostics);
+    if (!skeleton) return fail(skeleton.error());
+    is_companion_there = skeleton->format == format.companion;
+    auto moved = on_skeleton_of(*skeleton, std::move(document), diagnostics);
     if (!moved) return fail(std::move(moved.error()));
     document = std::move(*moved);
   }
+  if (is_companion_there) {
+    options.writes_companion = false;
+    options.companion = reading.skeleton.substr(reading.skeleton.find_last_of('/') + 1);
+  }
   auto adapted = adapted_to(format, std::move(document), channels, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
-  WriteOptions options;
-  options.decimals = writing.decimals;
-  options.writes_companion = reading.skeleton.empty();
   return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
 }
 

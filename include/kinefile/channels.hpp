@@ -33,8 +33,12 @@ struct ChannelOptions {
                                 ///< as the motion's own are, if it has any that tell
   bool replaces_offsets = false;  ///< positions are to stand in the place of offsets, whatever the
                                   ///< motion's own do
+  bool distinct_axes = false;     ///< joints that turn twice about one axis get `usual_order`
   bool lenient = false;           ///< drop positions that change, with a warning
 };
+
+/// Whether a joint turns twice about one axis, as in the order ZXZ.
+bool repeats_an_axis(const Joint& joint);
 
 /// Gives a motion other channels for the same movement: the world stays as it is.
 /// Joints whose rotations have the order already keep every bit; the others' angles are found

@@ -62,7 +62,8 @@ struct WriteOptions {
   std::optional<int> decimals =
       std::nullopt;              ///< digits after the point; absent: the shortest exact form
   bool writes_companion = true;  ///< whether `write_file` writes the companion, too
-  std::string companion = {};    ///< its name, where it does
+  std::string companion = {};    ///< its name, for the file to tell it
+  bool is_companion = false;     ///< this is one: what it leaves out, the other file has
 };
 
 /// Takes the next piece of the output; returns false to stop.

@@ -90,6 +90,9 @@ std::size_t num_dofs(const Skeleton& skeleton);
 /// The children of every joint, in skeleton order; shape (joints).
 std::vector<std::vector<std::size_t>> children_of_joints(const Skeleton& skeleton);
 
+/// How many degrees of freedom read each column; shape (coordinates). A free joint reads seven.
+std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton);
+
 /// The columns of every joint, in order; shape (joints).
 std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton);
 
@@ -101,6 +104,10 @@ std::vector<std::size_t> first_tips_of_joints(const Skeleton& skeleton);
 
 /// What a tip is called in tables: `JOINT.tip`, then `JOINT.tip2` and so on.
 std::string tip_label(const Joint& joint, std::size_t tip);
+
+/// Whether a joint's name can be a bone's: one word without blanks, parentheses, commas or #, that
+/// is no number and none of root, begin and end.
+bool is_bone_name(std::string_view name);
 
 /// The names of the columns, `JOINT.CHANNEL`.
 std::vector<std::string> column_names(const Skeleton& skeleton);

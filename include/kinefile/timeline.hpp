@@ -33,6 +33,10 @@ double nominal_frame_rate(const Timeline& timeline);
 /// The time of a frame in seconds: frame x frame time, never accumulated; or the frame's own time.
 double time_of_frame(const Timeline& timeline, std::size_t frame);
 
+/// The frame at a time in seconds, fractions included, by `nominal_frame_rate`; the whole one where
+/// only the rounding of the arithmetic is missing.
+double frame_of_time(const Timeline& timeline, double seconds);
+
 /// (frames - 1) x frame time, in seconds; 0 without frames.
 double duration(const Timeline& timeline, std::size_t num_frames);
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "base/words.hpp"
 #include "kinefile/bridge.hpp"
 
 namespace kinefile {
@@ -24,38 +26,13 @@ void tell(Diagnostics& diagnostics, Severity severity, std::string message) {
   diagnostics.add(std::move(diagnostic));
 }
 
-/// A list of names for a message, cut after some.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
-    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
-  }
-  if (names.size() > kMost) text += fmt::format(" and {} more", names.size() - kMost);
-  return text;
-}
-
-std::string lowered(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
-/// A name that is one word, no number and none of the words that bones are written with.
-std::string as_word(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(),
-      [](char c) {
-        return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
-      },
-      '_');
-  const std::string lower = lowered(name);
-  const bool is_taken = lower == "root" || lower == "begin" || lower == "end" || lower == "inf" ||
-                        lower == "nan" || lower == "infinity";
-  const bool starts_oddly = name.empty() || std::string_view("0123456789+-.:").find(name.front()) !=
-                                                std::string_view::npos;
-  return is_taken || starts_oddly ? "joint_" + name : name;
+/// A name that a bone can have.
+std::string as_bone_name(std::string name) {
+  const auto is_foreign = [](char c) {
+    return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
+  };
+  std::replace_if(name.begin(), name.end(), is_foreign, '_');
+  return is_bone_name(name) ? name : "joint_" + name;
 }
 
 /// What becomes of the values of one column.
@@ -69,9 +46,10 @@ struct Builder {
   Diagnostics& diagnostics;
   Motion result = {};
   std::vector<NewColumn> columns = {};
-  std::set<std::string> names = {"root"};    ///< in lower case
-  std::vector<std::size_t> new_of_old = {};  ///< the joint that an old one became
-  std::vector<std::string> added = {};       ///< bones that lead somewhere
+  std::set<std::string> names = {"root"};               ///< in lower case
+  std::map<std::string, std::size_t> last_number = {};  ///< that made a name unique
+  std::vector<std::size_t> new_of_old = {};             ///< the joint that an old one became
+  std::vector<std::string> added = {};                  ///< bones that lead somewhere
   std::vector<std::string> renamed = {};
   std::vector<std::string> with_positions = {};     ///< joints other than roots that move so
   std::vector<std::string> without_positions = {};  ///< and those that could, but never do
@@ -81,8 +59,10 @@ struct Builder {
 
 std::string unique_name(Builder& builder, const std::string& wanted) {
   std::string name = wanted;
-  for (std::size_t n = 2; !builder.names.insert(lowered(name)).second; ++n) {
-    name = fmt::format("{}_{}", wanted, n);
+  std::size_t& number = builder.last_number[lowered(wanted)];  // so that many alike are soon named
+  while (!builder.names.insert(lowered(name)).second) {
+    number = std::max<std::size_t>(number, 1) + 1;
+    name = fmt::format("{}_{}", wanted, number);
   }
   return name;
 }
@@ -154,7 +134,7 @@ void add_tips(Builder& builder, const Joint& old, std::size_t holder, const Vec3
   for (const Tip& tip : old.tips) {
     if (tip.offset == end && !std::exchange(is_end_taken, true)) continue;
     const std::string wanted = tip.name.empty() ? old.name + "_end" : tip.name;
-    const std::string name = unique_name(builder, as_word(wanted));
+    const std::string name = unique_name(builder, as_bone_name(wanted));
     add_joint(builder, name, holder, tip.offset - end);
     builder.added.push_back(name);
   }
@@ -169,7 +149,7 @@ std::size_t holder_of_child(Builder& builder, const Joint& child) {
   const Vec3 end = bone.parent == kNoParent ? Vec3(Vec3::Zero()) : bone.tips.front().offset;
   if (rest_offset(child) == end) return holder;
   const std::string name =
-      unique_name(builder, as_word(fmt::format("{}_to_{}", parent.name, child.name)));
+      unique_name(builder, as_bone_name(fmt::format("{}_to_{}", parent.name, child.name)));
   builder.added.push_back(name);
   return add_joint(builder, name, holder, rest_offset(child) - end);
 }
@@ -179,15 +159,22 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   const Joint& old = builder.motion.skeleton.joints[old_index];
   Joint root;
   root.name = "root";
-  root.offset = old.offset;
+  // Coordinates rest at 0 from now on: where nothing moves, the offset tells the rest pose.
+  const bool has_frames = builder.motion.clip.num_frames > 0;
+  root.offset = has_frames ? old.offset : rest_offset(old);
   root.rest_rotation = old.rest_rotation;
+  if (has_frames && rest_offset(old) != old.offset) {
+    tell(builder.diagnostics, Severity::Note,
+         fmt::format("the rest pose puts the root at its offset of 0, not at that of '{}'",
+                     old.name));
+  }
   builder.joints().push_back(std::move(root));
   add_dofs(builder, old_index, 0, true);
   builder.new_of_old.push_back(0);
   Vec3 end = Vec3::Zero();
   if (lowered(old.name) != "root") {
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
-    const std::string name = unique_name(builder, as_word(old.name));
+    const std::string name = unique_name(builder, as_bone_name(old.name));
     builder.new_of_old.back() = add_joint(builder, name, 0, end);
   }
   add_tips(builder, old, builder.new_of_old.back(), end);
@@ -198,7 +185,7 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   const std::size_t holder = holder_of_child(builder, old);
   const Vec3 end =
       end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
-  const std::string name = unique_name(builder, as_word(old.name));
+  const std::string name = unique_name(builder, as_bone_name(old.name));
   if (name != old.name) builder.renamed.push_back(old.name);
   const std::size_t index = add_joint(builder, name, holder, end);
   builder.new_of_old.push_back(index);
@@ -247,7 +234,7 @@ bool is_of_bones(const Skeleton& skeleton) {
     if (joint.parent == kNoParent || joint.tips.size() != 1) return false;
     const Joint& parent = skeleton.joints[joint.parent];
     const Vec3 start = joint.parent == 0 ? Vec3(Vec3::Zero()) : parent.tips.front().offset;
-    if (joint.offset != start || as_word(joint.name) != joint.name) return false;
+    if (joint.offset != start || !is_bone_name(joint.name)) return false;
   }
   return !skeleton.joints.empty();
 }
@@ -270,13 +257,10 @@ void fill_values(Builder& builder) {
 
 /// Columns that nothing reads have no place in bones.
 void tell_unread(Builder& builder) {
-  std::vector<bool> is_read(builder.motion.skeleton.coordinates.size(), false);
-  for (const Joint& joint : builder.motion.skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) is_read[dof.coordinate] = true;
-  }
+  const std::vector<std::size_t> readers = num_readers_of_columns(builder.motion.skeleton);
   const std::vector<std::string> names = column_names(builder.motion.skeleton);
-  for (std::size_t c = 0; c < is_read.size(); ++c) {
-    if (is_read[c]) continue;
+  for (std::size_t c = 0; c < readers.size(); ++c) {
+    if (readers[c] > 0) continue;
     tell(builder.diagnostics, Severity::Warning,
          fmt::format("column '{}' moves nothing and is left out", names[c]));
   }

@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include "base/words.hpp"
 #include "kinefile/bridge.hpp"
 #include "kinefile/joint_rotation.hpp"
 
 namespace kinefile {
 namespace {
-
-std::string lowered(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
 
 void warn(Diagnostics& diagnostics, std::string message) {
   Diagnostic warning;
@@ -35,75 +30,89 @@ struct Match {
 std::vector<Match> match_joints(const Skeleton& from, const Skeleton& to) {
   std::map<std::string, std::size_t> index_of_name;
   for (std::size_t j = 0; j < to.joints.size(); ++j) {
-    index_of_name.try_emplace(lowered(to.joints[j].name), j);
+    if (to.joints[j].parent != kNoParent) index_of_name.try_emplace(lowered(to.joints[j].name), j);
   }
   std::vector<Match> matches;
+  bool has_root = false;
   for (std::size_t j = 0; j < from.joints.size(); ++j) {
+    const bool is_root = from.joints[j].parent == kNoParent;
     const auto found = index_of_name.find(lowered(from.joints[j].name));
-    if (found != index_of_name.end()) {
-      matches.push_back({j, found->second});
-    } else if (from.joints[j].parent == kNoParent) {
+    if (is_root && !std::exchange(has_root, true) && !to.joints.empty()) {
       matches.push_back({j, 0});
+    } else if (found != index_of_name.end()) {
+      matches.push_back({j, found->second});
     }
   }
-  return matches;
+  // The roots alone make no match, unless there is nothing else.
+  const bool is_real = matches.size() > 1 || from.joints.size() == 1 || to.joints.size() == 1;
+  return is_real ? matches : std::vector<Match>{};
 }
 
-/// The translation that a joint's degrees of freedom make in a row, rest values taken off.
-Vec3 translation_in_row(const Joint& joint, std::span<const double> row) {
+/// What one joint could not do as the other did.
+struct Residue {
+  double angle = 0;     ///< the largest, in radians
+  double distance = 0;  ///< the largest, in the unit of the other skeleton
+};
+
+/// Where a root is in the world, or how far another joint is from its rest position, in its
+/// parent's frame.
+Vec3 movement_in_row(const Joint& joint, std::span<const double> row) {
+  const bool is_root = joint.parent == kNoParent;
   Vec3 sum = Vec3::Zero();
   for (const DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind == DofKind::Translation) sum += row[dof.coordinate] * dof.axis;
+    if (dof.kind != DofKind::Translation) continue;
+    sum += (row[dof.coordinate] - (is_root ? 0 : dof.rest)) * dof.axis;
   }
-  return sum + joint.rest_rotation.conjugate() * joint.offset;
+  return joint.rest_rotation * sum + (is_root ? joint.offset : Vec3(Vec3::Zero()));
+}
+
+/// Brings a movement back to the translations of a joint.
+/// \returns  how much of it is left
+double fit_movement(const Joint& joint, const Vec3& movement, std::span<double> row) {
+  const bool is_root = joint.parent == kNoParent;
+  Vec3 left = joint.rest_rotation.conjugate() * (is_root ? movement - joint.offset : movement);
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Translation) continue;
+    const double along = dof.axis.dot(left);
+    row[dof.coordinate] = along + (is_root ? 0 : dof.rest);
+    left -= along * dof.axis;
+  }
+  return left.norm();
 }
 
 /// Moves one matched joint, frame by frame.
-/// \returns  the largest angle by which the rotation could not be made, in radians
-double move_joint(const Motion& from, const Match& match, double scale, Motion& result) {
+Residue move_joint(const Motion& from, const Match& match, double scale, Motion& result) {
   const Joint& source = from.skeleton.joints[match.from];
   const Joint& target = result.skeleton.joints[match.to];
   const auto source_rotations = rotations_of(source);
   const auto target_rotations = rotations_of(target);
-  double largest = 0;
+  Residue residue;
   for (std::size_t f = 0; f < from.clip.num_frames; ++f) {
     const auto row = result.clip.row(f);
     if (f > 0) {  // near the frame before
       const auto before = result.clip.row(f - 1);
       for (const DegreeOfFreedom& dof : target_rotations) {
-        row[dof.coordinate] = before[dof.coordinate];
+        if (std::isfinite(before[dof.coordinate])) row[dof.coordinate] = before[dof.coordinate];
       }
     }
+    const Vec3 movement = scale * movement_in_row(source, from.clip.row(f));
+    residue.distance = std::max(residue.distance, fit_movement(target, movement, row));
     const Mat3 rotation =
         rotation_in_row(source_rotations, from.clip.row(f), from.skeleton.angle_unit);
     if (!rotation.allFinite()) {
       for (const DegreeOfFreedom& dof : target_rotations) row[dof.coordinate] = std::nan("");
       continue;
     }
-    largest = std::max(largest,
-                       fit_rotation(target_rotations, rotation, result.skeleton.angle_unit, row));
-    if (source.parent != kNoParent || target.parent != kNoParent) continue;
-    const Vec3 position = source.rest_rotation * translation_in_row(source, from.clip.row(f));
-    const Vec3 moved = target.rest_rotation.conjugate() * (scale * position - target.offset);
-    for (const DegreeOfFreedom& dof : target.dofs) {
-      if (dof.kind == DofKind::Translation) row[dof.coordinate] = dof.axis.dot(moved);
-    }
+    residue.angle = std::max(
+        residue.angle, fit_rotation(target_rotations, rotation, result.skeleton.angle_unit, row));
   }
-  return largest;
+  return residue;
 }
 
 bool moves_freely(const Skeleton& skeleton) {
   return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
     return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
   });
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 5); ++i) {
-    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
-  }
-  return names.size() > 5 ? text + fmt::format(" and {} more", names.size() - 5) : text;
 }
 
 void tell_unmatched(const Motion& motion, const Skeleton& skeleton,
@@ -156,15 +165,27 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
     result.clip.values.insert(result.clip.values.end(), rest.begin(), rest.end());
   }
   const double from_unit = motion.skeleton.metres_per_unit;
-  const double scale =
-      from_unit > 0 && skeleton.metres_per_unit > 0 ? from_unit / skeleton.metres_per_unit : 1.0;
+  const bool has_units = from_unit > 0 && skeleton.metres_per_unit > 0;
+  if (!has_units) {
+    warn(diagnostics,
+         "a file does not say its unit of length, so positions are taken over as they "
+         "are (--unit-in says it)");
+  }
+  const double scale = has_units ? from_unit / skeleton.metres_per_unit : 1.0;
   constexpr double kNoticeable = 1e-6;
   for (const Match& match : matches) {
-    const double left = move_joint(*aligned, match, scale, result);
-    if (left < kNoticeable) continue;
-    warn(diagnostics, fmt::format("joint '{}' cannot turn as it did: up to {:.3g} degrees are left "
-                                  "out",
-                                  skeleton.joints[match.to].name, left / kRadiansPerDegree));
+    const Residue left = move_joint(*aligned, match, scale, result);
+    const std::string& name = skeleton.joints[match.to].name;
+    if (left.angle > kNoticeable) {
+      warn(diagnostics, fmt::format("joint '{}' cannot turn as it did: up to {:.3g} degrees are "
+                                    "left out",
+                                    name, left.angle / kRadiansPerDegree));
+    }
+    if (left.distance > kNoticeable) {
+      warn(diagnostics, fmt::format("joint '{}' cannot move as it did: up to {:.3g} units of "
+                                    "length are left out",
+                                    name, left.distance));
+    }
   }
   tell_unmatched(motion, skeleton, matches, diagnostics);
   return result;

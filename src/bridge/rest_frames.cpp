@@ -103,20 +103,14 @@ Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
 }
 
 Motion without_unread_columns(const Motion& motion) {
-  std::vector<bool> is_read(motion.skeleton.coordinates.size(), false);
-  for (const Joint& joint : motion.skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      const std::size_t width = dof.kind == DofKind::Free ? 7 : 1;
-      std::fill_n(is_read.begin() + static_cast<std::ptrdiff_t>(dof.coordinate), width, true);
-    }
-  }
+  const std::vector<std::size_t> readers = num_readers_of_columns(motion.skeleton);
   std::vector<std::size_t> kept;
-  std::vector<std::size_t> new_of_old(is_read.size());
-  for (std::size_t c = 0; c < is_read.size(); ++c) {
+  std::vector<std::size_t> new_of_old(readers.size());
+  for (std::size_t c = 0; c < readers.size(); ++c) {
     new_of_old[c] = kept.size();
-    if (is_read[c]) kept.push_back(c);
+    if (readers[c] > 0) kept.push_back(c);
   }
-  if (kept.size() == is_read.size()) return motion;
+  if (kept.size() == readers.size()) return motion;
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();

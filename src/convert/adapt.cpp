@@ -15,20 +15,24 @@ bool turns_at_rest(const Joint& joint) {
   return !joint.rest_rotation.isApprox(Quat::Identity(), 0);
 }
 
-/// Whether a joint turns twice about one axis, as no bone can.
-bool repeats_an_axis(const Joint& joint) {
-  for (std::size_t a = 0; a < joint.dofs.size(); ++a) {
-    for (std::size_t b = a + 1; b < joint.dofs.size(); ++b) {
-      const bool are_rotations =
-          joint.dofs[a].kind == DofKind::Rotation && joint.dofs[b].kind == DofKind::Rotation;
-      if (are_rotations && joint.dofs[a].axis.cross(joint.dofs[b].axis).norm() < 0.5) return true;
-    }
-  }
-  return false;
-}
-
 bool asks_for_channels(const ChannelOptions& channels) {
   return channels.order || channels.positions != PositionChannels::AsIs;
+}
+
+/// The motion with its angles in degrees. Every column is read by one degree of freedom.
+Motion in_degrees(Motion motion) {
+  if (motion.skeleton.angle_unit == AngleUnit::Degrees) return motion;
+  motion.skeleton.angle_unit = AngleUnit::Degrees;
+  for (Joint& joint : motion.skeleton.joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Rotation) continue;
+      dof.rest /= kRadiansPerDegree;
+      for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+        motion.clip.row(f)[dof.coordinate] /= kRadiansPerDegree;
+      }
+    }
+  }
+  return motion;
 }
 
 Result<Motion> for_bvh(const Motion& motion, ChannelOptions channels, Diagnostics& diagnostics) {
@@ -40,7 +44,7 @@ Result<Motion> for_bvh(const Motion& motion, ChannelOptions channels, Diagnostic
   channels.replaces_offsets = true;  // as BVH files are read
   auto plain = with_channels(without_inner_tips(*inherited), channels, diagnostics);
   if (!plain) return plain;
-  return without_unread_columns(*plain);
+  return in_degrees(without_unread_columns(*plain));
 }
 
 Result<Motion> for_bones(Motion motion, ChannelOptions channels, Diagnostics& diagnostics) {
@@ -53,10 +57,12 @@ Result<Motion> for_bones(Motion motion, ChannelOptions channels, Diagnostics& di
     if (!aligned) return aligned;
     motion = std::move(*aligned);
   }
+  // No bone turns twice about one axis.
   const bool has_repeated_axes =
       std::any_of(motion.skeleton.joints.begin(), motion.skeleton.joints.end(), repeats_an_axis);
-  if (has_repeated_axes && !channels.order) channels.order = kUsualOrder;
-  if (asks_for_channels(channels)) {
+  if (has_repeated_axes || asks_for_channels(channels)) {
+    channels.usual_order = kUsualOrder;
+    channels.distinct_axes = true;
     auto changed = with_channels(motion, channels, diagnostics);
     if (!changed) return changed;
     motion = std::move(*changed);

@@ -228,14 +228,16 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   const Joint& joint = context.motion.skeleton.joints[joint_index];
   const PositionChannels positions = context.options.positions;
   const bool is_as_is = positions == PositionChannels::AsIs;
+  const bool is_refused = context.options.distinct_axes && repeats_an_axis(joint);
+  const auto own = is_refused ? std::nullopt : own_order(joint);
   const RotationOrder order =
-      context.options.order.value_or(own_order(joint).value_or(context.options.usual_order));
+      context.options.order.value_or(own.value_or(context.options.usual_order));
   const auto rotations = rotations_of(joint);
   const bool has_plain_rotations = are_plain(context, joint_index, DofKind::Rotation);
   const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation) &&
                                    !(context.options.replaces_offsets && adds_to_offset(joint));
   const bool keeps_rotations =
-      has_plain_rotations &&
+      has_plain_rotations && !is_refused &&
       (rotations.size() <= 1 || !context.options.order || is_in_order(rotations, order));
   if (is_as_is && keeps_rotations && has_plain_positions) return unchanged(context, joint_index);
   JointChange change;
@@ -258,7 +260,7 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
     keep_others(context, joint_index, change);
     return change;
   }
-  add_rotations(joint, order, has_plain_rotations, change);
+  add_rotations(joint, order, has_plain_rotations && !is_refused, change);
   keep_others(context, joint_index, change);
   return change;
 }
@@ -304,16 +306,17 @@ bool moves_freely(const Joint& joint) {
   return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
 }
 
-/// How many degrees of freedom read each column.
-std::vector<std::size_t> count_readers(const Skeleton& skeleton) {
-  std::vector<std::size_t> count(skeleton.coordinates.size(), 0);
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) ++count[dof.coordinate];
-  }
-  return count;
-}
-
 }  // namespace
+
+bool repeats_an_axis(const Joint& joint) {
+  const auto rotations = rotations_of(joint);
+  for (std::size_t a = 0; a < rotations.size(); ++a) {
+    for (std::size_t b = a + 1; b < rotations.size(); ++b) {
+      if (rotations[a].axis.cross(rotations[b].axis).norm() < 1e-9) return true;
+    }
+  }
+  return false;
+}
 
 std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
   if (text.size() != 3) return std::nullopt;
@@ -335,7 +338,7 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
       diagnostics,
       !options.replaces_offsets && (options.adds_positions || adds_positions(motion.skeleton)),
       columns_of_joints(motion.skeleton),
-      count_readers(motion.skeleton)};
+      num_readers_of_columns(motion.skeleton)};
   Motion result;
   result.skeleton = motion.skeleton;
   result.skeleton.coordinates.clear();

@@ -249,9 +249,10 @@ Result<void> mirror_joint(const Context& context, const JointPlan& plan, Clip& c
       clip.row(f)[copy.to] = copy.sign < 0 ? -value : value;
     }
   }
-  const bool is_out_of_reach =
-      (plan.is_position_found && find_positions(context, plan, clip) > kReached * context.size) ||
-      (plan.is_rotation_found && find_rotations(context, plan, clip) > kReached);
+  // Both are found, whatever comes of the other.
+  const double distance = plan.is_position_found ? find_positions(context, plan, clip) : 0;
+  const double angle = plan.is_rotation_found ? find_rotations(context, plan, clip) : 0;
+  const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
   if (!is_out_of_reach && !is_position_lost(source, target)) return {};
   return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
                                        target.name, source.name));

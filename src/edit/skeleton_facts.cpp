@@ -9,17 +9,6 @@
 
 namespace kinefile {
 
-std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton) {
-  std::vector<std::size_t> readers(skeleton.coordinates.size(), 0);
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
-      for (std::size_t k = 0; k < count; ++k) ++readers[dof.coordinate + k];
-    }
-  }
-  return readers;
-}
-
 double rest_size(const Skeleton& skeleton) {
   const Box box = world_extent(skeleton, rest_clip(skeleton));
   return (box.max - box.min).allFinite() ? (box.max - box.min).norm() : 0;

@@ -10,9 +10,6 @@
 
 namespace kinefile {
 
-/// How many degrees of freedom read each column; shape (coordinates).
-std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton);
-
 /// The diagonal of the box around the rest pose: what tolerances of lengths are relative to.
 double rest_size(const Skeleton& skeleton);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "edit/skeleton_facts.hpp"
@@ -32,7 +33,9 @@ class Filter {
   /// Filters numbers in place. They are continued at both ends by their odd reflections.
   void run(std::vector<double>& numbers) const {
     const std::size_t count = numbers.size();
-    if (count < 2) return;
+    const bool is_still =
+        std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
+    if (is_still) return;
     const std::size_t padding = std::min({padding_, count - 1, kMostPadding});
     // About the first number, so that numbers which do not change stay exactly as they are.
     const double origin = numbers.front();

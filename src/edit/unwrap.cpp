@@ -12,7 +12,8 @@ namespace {
 
 /// An angle moved by whole turns to within half a turn of another; itself, bit for bit, if it is.
 double nearest_turn(double angle, double near, double turn) {
-  return angle + turn * std::round((near - angle) / turn);
+  const double turns = std::round((near - angle) / turn);
+  return turns == 0 ? angle : angle + turn * turns;
 }
 
 /// Takes the jumps by whole turns out of a column.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/words.hpp"
 #include "formats/acclaim/format.hpp"
 #include "formats/bvh/format.hpp"
 #include "formats/csv/format.hpp"
@@ -26,7 +27,7 @@ const Format* find_format(std::string_view name) {
 }
 
 const Format* format_of_name(std::string_view file_name) {
-  const std::string lower = text::lowered(file_name);
+  const std::string lower = lowered(file_name);
   for (const Format& format : formats()) {
     for (const std::string_view extension : format.extensions) {
       if (lower.ends_with(extension)) return &format;

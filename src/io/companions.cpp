@@ -2,19 +2,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/words.hpp"
 #include "kinefile/io.hpp"
 
 namespace kinefile {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
 
 /// Whether a name stays in the folder that it is relative to.
 bool stays_inside(const fs::path& name) {
@@ -67,7 +61,7 @@ Resolver files_beside(const std::string& path) {
   resolver.list = [folder](std::string_view extension) {
     std::vector<std::string> names;
     for (std::string& name : names_in(folder)) {
-      if (lowered(name).ends_with(lowered(std::string(extension)))) names.push_back(name);
+      if (lowered(name).ends_with(lowered(extension))) names.push_back(name);
     }
     return names;
   };

@@ -74,7 +74,8 @@ Result<Document> read_file(const std::string& path, const Format* format, ReadOp
             : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
         options.source_name));
   }
-  if (!options.skeleton_name.empty() && options.skeleton == nullptr) {
+  const bool needs_skeleton = !format->companion.empty();
+  if (needs_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
     auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
     if (!skeleton) return fail(std::move(skeleton.error()));
   }
@@ -92,11 +93,27 @@ Result<void> write_file(const std::string& path, const Document& document, const
         fmt::format("{} is only read, not written; what is written: {}", format.name, writable)));
   }
   WriteOptions with_companion = options;
+  if (!format.companion.empty() && options.writes_companion && path == "-") {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "FMT003";
+    note.message = fmt::format("the {} file that belongs to it is not written to standard output",
+                               format.companion);
+    diagnostics.add(std::move(note));
+  }
   std::optional<OutputFile> beside;
   if (!format.companion.empty() && options.writes_companion && path != "-") {
     const Format& other = *find_format(format.companion);
     const std::string name = companion_path(path, other);
-    auto written = write_output(name, document, other, options, replace, diagnostics);
+    if (name == path) {
+      return fail(make_error(ErrorKind::Usage, "FMT004",
+                             fmt::format("{} is written as two files, and '{}' is the name of the "
+                                         "other one",
+                                         format.name, path)));
+    }
+    WriteOptions for_companion = options;
+    for_companion.is_companion = true;
+    auto written = write_output(name, document, other, for_companion, replace, diagnostics);
     if (!written) return fail(std::move(written.error()));
     beside = std::move(*written);
     with_companion.companion = name.substr(name.find_last_of('/') + 1);

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "base/words.hpp"
 
 namespace kinefile {
 namespace {
@@ -118,6 +122,31 @@ std::vector<std::vector<std::size_t>> children_of_joints(const Skeleton& skeleto
     if (parent != kNoParent) children[parent].push_back(j);
   }
   return children;
+}
+
+std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton) {
+  std::vector<std::size_t> readers(skeleton.coordinates.size(), 0);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      for (std::size_t k = 0; k < num_coordinates(dof); ++k) ++readers[dof.coordinate + k];
+    }
+  }
+  return readers;
+}
+
+bool is_bone_name(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kTaken = {"root", "begin",    "end",
+                                                      "inf",  "infinity", "nan"};
+  const auto is_foreign = [](char c) {
+    return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
+  };
+  if (name.empty() || name.front() == ':' || std::any_of(name.begin(), name.end(), is_foreign)) {
+    return false;
+  }
+  if (name.find_first_not_of("0123456789+-.eE") == std::string_view::npos) return false;
+  const bool has_sign = name.front() == '+' || name.front() == '-';
+  const std::string word = lowered(name.substr(has_sign ? 1 : 0));
+  return std::find(kTaken.begin(), kTaken.end(), word) == kTaken.end();
 }
 
 std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/timeline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kinefile {
@@ -63,6 +64,12 @@ double time_of_frame(const Timeline& timeline, std::size_t frame) {
   // Dividing by a rate is exact where multiplying by its rounded inverse is not.
   const bool has_rate = timeline.given == Timeline::Given::FrameRate;
   return has_rate ? number / timeline.value : number * timeline.value;
+}
+
+double frame_of_time(const Timeline& timeline, double seconds) {
+  const double frame = seconds * nominal_frame_rate(timeline);
+  const double whole = std::round(frame);
+  return std::abs(frame - whole) <= 1e-12 * std::max(1.0, std::abs(whole)) ? whole : frame;
 }
 
 double duration(const Timeline& timeline, std::size_t num_frames) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "kinefile/kinematics.hpp"
 #include "kinefile/retime.hpp"
 #include "retime/curves.hpp"
 #include "retime/dtw.hpp"
@@ -66,6 +67,16 @@ Motion with_frames(const Motion& motion, const std::vector<std::size_t>& frames)
   return result;
 }
 
+/// What brings a motion's lengths to those of another: metres where both say their units, else the
+/// size of the rest pose.
+double length_scale(const Motion& motion, const Motion& other) {
+  const bool has_units = motion.skeleton.metres_per_unit > 0 && other.skeleton.metres_per_unit > 0;
+  if (has_units) return motion.skeleton.metres_per_unit;
+  const Box box = world_extent(motion.skeleton, rest_clip(motion.skeleton));
+  const double size = (box.max - box.min).norm();
+  return size > 0 && std::isfinite(size) ? 1 / size : 1;
+}
+
 /// The pairs of the two motions' frames that belong together.
 std::vector<FramePair> align_frames(const Motion& reference, const Motion& motion,
                                     const SharedJoints& shared, AlignOptions::By by) {
@@ -79,8 +90,8 @@ std::vector<FramePair> align_frames(const Motion& reference, const Motion& motio
     return align(retiming::angles_of_frames(reference, shared.first),
                  retiming::angles_of_frames(motion, shared.second));
   }
-  return align(retiming::points_of_frames(reference, shared.first),
-               retiming::points_of_frames(motion, shared.second));
+  return align(retiming::points_of_frames(reference, shared.first, length_scale(reference, motion)),
+               retiming::points_of_frames(motion, shared.second, length_scale(motion, reference)));
 }
 
 double number(std::size_t count) { return static_cast<double>(count); }

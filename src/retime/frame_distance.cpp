@@ -63,7 +63,8 @@ FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t
   return frames;
 }
 
-FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints) {
+FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints,
+                             double scale) {
   FramePoints frames{joints.size(), {}, {}};
   KinematicsOptions options;
   options.num_frames = frames_per_block(motion.skeleton);
@@ -71,6 +72,7 @@ FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
     append_joints(poses.positions, poses, 3, joints, frames.points);
   }
+  for (double& number : frames.points) number *= scale;
   if (guess_up_axis(motion) == 2) stand_up(frames.points);
   for (std::size_t frame = 0; frame < motion.clip.num_frames; ++frame) {
     double* points = frames.points.data() + frame * joints.size() * 3;

@@ -23,7 +23,9 @@ struct FramePoints {
 
 /// \param joints  which, in this order
 FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
-FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
+/// \param scale  what all lengths are multiplied by
+FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints,
+                             double scale);
 
 /// The sum of the squared angles, in radians, between the joints of two frames; 0 for equal ones.
 double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,

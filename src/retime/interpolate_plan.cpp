@@ -14,18 +14,6 @@ namespace {
 
 constexpr std::size_t kFreeColumns = 7;
 
-/// How many degrees of freedom read each column; shape (coordinates).
-std::vector<std::size_t> readers_of_columns(const Skeleton& skeleton) {
-  std::vector<std::size_t> readers(skeleton.coordinates.size());
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      const std::size_t count = dof.kind == DofKind::Free ? kFreeColumns : 1;
-      for (std::size_t k = 0; k < count; ++k) ++readers[dof.coordinate + k];
-    }
-  }
-  return readers;
-}
-
 void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics& diagnostics) {
   diagnostics.add({Severity::Note,
                    "RTM007",
@@ -101,7 +89,7 @@ simd::EulerForm euler_form(const EulerAxes& axes, AngleUnit unit) {
 
 InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpolation rotation,
                                      Diagnostics& diagnostics) {
-  const std::vector<std::size_t> readers = readers_of_columns(skeleton);
+  const std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
   InterpolationPlan plan;
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {

@@ -44,8 +44,8 @@ Result<void> check_key(const Knot& key, double last_frame) {
                               text_of(key)));
   }
   if (!(key.x >= 0 && key.x < retiming::kMostFrames)) {
-    return refuse(
-        fmt::format("expected a new frame from 0 to 2147483647, found the key {}", text_of(key)));
+    return refuse(fmt::format("expected a new frame from 0 to {}, found the key {}",
+                              retiming::kMostFrames - 1, text_of(key)));
   }
   return {};
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "base/words.hpp"
 #include "text/scanner.hpp"
 
 namespace kinefile::text {

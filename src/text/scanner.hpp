@@ -38,9 +38,6 @@ class Scanner {
   const char* end_;
 };
 
-/// A text with its ASCII letters in lower case.
-std::string lowered(std::string_view text);
-
 /// Whether two words are equal but for the case of ASCII letters.
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 

@@ -9,6 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
+#include "formats/reading.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
 
@@ -146,12 +147,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
 
 Result<Document> read(std::string_view bytes, const ReadOptions& options,
                       Diagnostics& diagnostics) {
-  Diagnostics own;
-  own.warnings_are_errors = diagnostics.warnings_are_errors;
-  auto document = read_alone(bytes, options, own);
-  if (document && own.has_errors()) document = fail(own.first_error());
-  diagnostics.append(std::move(own));
-  return document;
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
 AmcHeading heading_of(const Document& document, const Motion& motion, const WriteOptions& options) {

@@ -9,6 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
+#include "formats/reading.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
 
@@ -16,7 +17,6 @@ namespace kinefile::acclaim {
 namespace {
 
 constexpr std::array<std::string_view, 2> kExtensions = {".asf", ".ast"};
-constexpr double kMetresPerInch = 0.0254;
 
 bool probe(std::string_view head) {
   constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",
@@ -55,16 +55,21 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
 
 Result<Document> read(std::string_view bytes, const ReadOptions& options,
                       Diagnostics& diagnostics) {
-  Diagnostics own;
-  own.warnings_are_errors = diagnostics.warnings_are_errors;
-  auto document = read_alone(bytes, options, own);
-  if (document && own.has_errors()) document = fail(own.first_error());
-  diagnostics.append(std::move(own));
-  return document;
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
+                   Diagnostics& diagnostics) {
+  // As the companion of a motion it says nothing of it, and loses nothing.
+  const bool loses_motion =
+      std::holds_alternative<Motion>(document.content) && !options.is_companion;
+  if (loses_motion) {
+    Diagnostic warning;
+    warning.severity = Severity::Warning;
+    warning.code = code::kMotionLeftOut;
+    warning.message = "ASF holds the skeleton alone; the motion is left out, which AMC holds";
+    diagnostics.add(std::move(warning));
+  }
   auto unbound = unbind(skeleton_of(document), document.extras);
   if (!unbound) return fail(std::move(unbound.error()));
   const auto kept = document.extras.file.find("line_end");

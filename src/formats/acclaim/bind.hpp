@@ -13,8 +13,9 @@ namespace kinefile::acclaim {
 
 /// How a skeleton is given its meaning.
 struct BindOptions {
-  bool forces_3dof = false;             ///< bones that can turn, turn about all three axes
-  double metres_per_quotient = 0.0254;  ///< what lengths divided by the unit of length are in
+  bool forces_3dof = false;  ///< bones that can turn, turn about all three axes
+  double metres_per_quotient =
+      kMetresPerInch;  ///< what lengths divided by the unit of length are in
 };
 
 /// The rotation of an orientation: "XYZ" makes Rz Ry Rx. Whole quarter turns are exact.

@@ -27,6 +27,8 @@ inline constexpr char kGivenTwice[] = "ASF018";
 inline constexpr char kUnitAssumed[] = "ASF019";
 inline constexpr char kNotExpressible[] = "ASF020";
 inline constexpr char kBadUnit[] = "ASF021";
+inline constexpr char kBadName[] = "ASF022";
+inline constexpr char kMotionLeftOut[] = "ASF023";
 
 inline constexpr char kNoSkeleton[] = "AMC001";
 inline constexpr char kSkeletonFound[] = "AMC002";

@@ -24,12 +24,6 @@ std::string get(const Words& words, const char* key) {
   return found == words.end() ? std::string() : found->second;
 }
 
-std::string text_of(const AxisOrder& order) {
-  std::string text;
-  for (const std::size_t axis : order) text += "XYZ"[axis];
-  return text;
-}
-
 std::string text_of(const std::vector<DofWord>& dofs) {
   std::string text;
   for (const DofWord word : dofs) {
@@ -85,7 +79,7 @@ Words words_of(const Bone& bone) {
   put(words, "direction", text_of(bone.direction));
   put(words, "length", fmt::format("{}", bone.length));
   put(words, "axis", text_of(bone.axis.angles));
-  put(words, "axis_order", text_of(bone.axis.order));
+  put(words, "axis_order", spelling(bone.axis.order));
   put(words, "dof", text_of(bone.dofs));
   std::string limits;
   for (const Limit& limit : bone.limits) {
@@ -113,7 +107,7 @@ Extras extras_of(const AsfFile& file) {
   put(words, "other_sections", file.other_sections);
   Words& root = extras.joints["root"];
   put(root, "order", text_of(file.root.order));
-  put(root, "axis", text_of(file.root.orientation.order));
+  put(root, "axis", spelling(file.root.orientation.order));
   put(root, "orientation", text_of(file.root.orientation.angles));
   for (const Bone& bone : file.bones) extras.joints[bone.name] = words_of(bone);
   return extras;

@@ -18,7 +18,7 @@ struct ReadSkeleton {
   AsfFile file;
   std::string encoding;
   std::string line_end;
-  double metres_per_quotient = 0.0254;
+  double metres_per_quotient = kMetresPerInch;
 };
 
 /// Reads an ASF file's bytes. On failure every error is in `diagnostics`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/words.hpp"
 #include "formats/acclaim/codes.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "text/numbers.hpp"
@@ -40,7 +41,9 @@ struct Body {
   std::size_t num_seen = 0;                    ///< bones of the frame at hand
   std::size_t next = 0;                        ///< where in the order the next bone is expected
   bool is_in_frame = false;
-  std::int64_t number = 0;  ///< of the frame at hand
+  bool is_full = false;                         ///< there is no room for more frames
+  std::vector<std::size_t> place_of_bone = {};  ///< in the order of the first frame
+  std::int64_t number = 0;                      ///< of the frame at hand
   const char* number_at = nullptr;
 
   const char* end() const { return parser.source.end(); }
@@ -62,12 +65,35 @@ void report_missing(Body& body) {
       body.number_at);
 }
 
+/// Whether there is room for another frame: bones that hold their values take no bytes of the file,
+/// so a small one could ask for any amount of memory.
+bool has_room(Body& body) {
+  constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB
+  const std::size_t most = std::max(kManyNumbers, body.parser.source.text().size() / 2);
+  if (body.out.values.size() + body.row.size() <= most) return true;
+  if (!std::exchange(body.is_full, true)) {
+    body.parser.error(code::kMissingBone,
+                      fmt::format("expected {} values at the most in a file of this size, most "
+                                  "bones are missing in most frames",
+                                  most),
+                      body.number_at);
+  }
+  return false;
+}
+
 void finish_frame(Body& body) {
   if (!body.is_in_frame) return;
+  body.is_in_frame = false;
+  if (body.num_seen == 0 && !body.bones.empty()) {
+    body.parser.repair(code::kMissingBone,
+                       fmt::format("expected the bones of frame {}, found none", body.number),
+                       "the frame is left out", body.number_at);
+    return;
+  }
+  if (!has_room(body)) return;
   if (body.num_seen < body.bones.size()) report_missing(body);
   body.out.values.insert(body.out.values.end(), body.row.begin(), body.row.end());
   ++body.out.num_frames;
-  body.is_in_frame = false;
 }
 
 /// Makes room for as many frames as there would be if all were as long as the first.
@@ -100,21 +126,22 @@ void start_frame(Body& body, std::int64_t number, const char* at) {
   body.next = 0;
 }
 
+constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
+
 /// The bone of a name: mostly the next in the order of the first frame.
 std::optional<std::size_t> find_bone(Body& body, std::string_view name) {
   if (body.next < body.out.bone_order.size() && body.spelled[body.next] == name) {
     return body.out.bone_order[body.next++];
   }
-  const auto found = body.index_of_name.find(text::lowered(name));
+  const auto found = body.index_of_name.find(lowered(name));
   if (found == body.index_of_name.end()) return std::nullopt;
-  const auto place =
-      std::find(body.out.bone_order.begin(), body.out.bone_order.end(), found->second);
-  body.next = static_cast<std::size_t>(place - body.out.bone_order.begin()) + 1;
-  if (body.frame() == 0 && place == body.out.bone_order.end()) {
+  std::size_t& place = body.place_of_bone[found->second];
+  if (place == kNoPlace && body.frame() == 0) {
+    place = body.out.bone_order.size();
     body.out.bone_order.push_back(found->second);
     body.spelled.push_back(name);
-    body.next = body.out.bone_order.size();
   }
+  body.next = place == kNoPlace ? body.out.bone_order.size() : place + 1;
   return found->second;
 }
 
@@ -339,11 +366,12 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
   Body body{parser, bones, skeleton_name};
   std::size_t num_columns = 0;
   for (std::size_t b = 0; b < bones.size(); ++b) {
-    body.index_of_name[text::lowered(bones[b].name)] = b;
+    body.index_of_name[lowered(bones[b].name)] = b;
     num_columns = std::max(num_columns, bones[b].first_column + bones[b].num_columns);
   }
   body.row.assign(num_columns, 0.0);
   body.seen_in.assign(bones.size(), 0);
+  body.place_of_bone.assign(bones.size(), kNoPlace);
   while (true) {
     const std::string_view word = parser.lexer.take();
     if (word.empty()) break;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.hpp"
 #include "formats/acclaim/codes.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "text/numbers.hpp"
@@ -78,6 +79,16 @@ std::vector<DofWord> parse_dofs(Parser& parser) {
   }
 }
 
+void check_once(Parser& parser, std::vector<std::string>& seen, std::string_view word) {
+  std::string lower = lowered(word);
+  if (std::find(seen.begin(), seen.end(), lower) == seen.end()) {
+    seen.push_back(std::move(lower));
+    return;
+  }
+  parser.repair(code::kGivenTwice, fmt::format("expected {} once, found it again", quoted(word)),
+                "the later one stands", word.data());
+}
+
 namespace {
 
 /// Lines of a section that is kept as it stands, without the blank rest of the keyword's line.
@@ -94,10 +105,12 @@ std::string take_section_text(Parser& parser) {
 bool is_keyword(std::string_view token) { return token.starts_with(':'); }
 
 void parse_units(Parser& parser, AsfFile& file) {
+  std::vector<std::string> seen;
   while (true) {
     const std::string_view word = parser.lexer.peek();
     if (word.empty() || is_keyword(word)) return;
     parser.lexer.take();
+    check_once(parser, seen, word);
     double number = 0;
     if (equals_ignoring_case(word, "mass")) {
       if (parse_numbers(parser, "a number after mass", &number, 1)) file.mass = number;
@@ -130,10 +143,12 @@ void parse_units(Parser& parser, AsfFile& file) {
 }
 
 void parse_root(Parser& parser, AsfFile& file) {
+  std::vector<std::string> seen;
   while (true) {
     const std::string_view word = parser.lexer.peek();
     if (word.empty() || is_keyword(word)) break;
     parser.lexer.take();
+    check_once(parser, seen, word);
     bool is_good = true;
     if (equals_ignoring_case(word, "axis")) {
       is_good = parse_axis_order(parser, file.root.orientation.order);
@@ -162,19 +177,14 @@ struct Sections {
   bool root = false;
   bool bones = false;
   bool hierarchy = false;
+  std::vector<std::string> seen;
   std::vector<bool> has_parent;
 };
-
-void check_once(Parser& parser, bool& is_there, std::string_view keyword) {
-  if (std::exchange(is_there, true)) {
-    parser.error(code::kGivenTwice, fmt::format("expected one {} section, found another", keyword),
-                 keyword.data());
-  }
-}
 
 void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   const std::string_view keyword = parser.lexer.take();
   const std::string_view word = keyword.substr(1);
+  check_once(parser, sections.seen, keyword);
   if (equals_ignoring_case(word, "version")) {
     file.version = parser.lexer.take_in_line();
   } else if (equals_ignoring_case(word, "name")) {
@@ -184,13 +194,13 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   } else if (equals_ignoring_case(word, "documentation")) {
     file.documentation = take_section_text(parser);
   } else if (equals_ignoring_case(word, "root")) {
-    check_once(parser, sections.root, keyword);
+    sections.root = true;
     parse_root(parser, file);
   } else if (equals_ignoring_case(word, "bonedata")) {
-    check_once(parser, sections.bones, keyword);
+    sections.bones = true;
     parse_bones(parser, file);
   } else if (equals_ignoring_case(word, "hierarchy")) {
-    check_once(parser, sections.hierarchy, keyword);
+    sections.hierarchy = true;
     sections.has_parent = parse_hierarchy(parser, file);
   } else if (equals_ignoring_case(word, "skin")) {
     file.skin = take_section_text(parser);
@@ -239,12 +249,11 @@ void check_reachable(Parser& parser, AsfFile& file, const Sections& sections) {
   }
   for (std::size_t b = 0; b < file.bones.size(); ++b) {
     if (is_reached[b]) continue;
-    const char* at = parser.source.end();
     const bool is_repaired =
         parser.repair(code::kNotInHierarchy,
                       fmt::format("expected bone '{}' in :hierarchy, below root, found it nowhere",
                                   file.bones[b].name),
-                      "it hangs on the root", at);
+                      "it hangs on the root", file.bones[b].at);
     if (is_repaired) file.bones[b].parent = kNoParent;
   }
 }

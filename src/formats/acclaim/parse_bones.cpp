@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
+#include "base/words.hpp"
 #include "formats/acclaim/codes.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "text/numbers.hpp"
@@ -25,6 +28,7 @@ struct BoneParts {
   const char* limits_at = nullptr;
   bool has_length = false;
   bool is_broken = false;  ///< a fault was reported already
+  std::vector<std::string> seen = {};
 };
 
 struct Bones {
@@ -53,6 +57,14 @@ void parse_limits(Parser& parser, Bone& bone) {
                token.data());
 }
 
+/// Whether a word is one that a bone's line starts with.
+bool is_bone_word(std::string_view word) {
+  constexpr std::array<std::string_view, 9> kWords = {
+      "id", "name", "direction", "length", "axis", "dof", "limits", "bodymass", "cofmass"};
+  return std::any_of(kWords.begin(), kWords.end(),
+                     [word](std::string_view known) { return equals_ignoring_case(known, word); });
+}
+
 /// Reads one line of a bone. Returns false at `end`, or where the bone cannot go on.
 bool parse_bone_word(Parser& parser, Bone& bone, BoneParts& parts) {
   const std::string_view word = parser.lexer.peek();
@@ -66,6 +78,7 @@ bool parse_bone_word(Parser& parser, Bone& bone, BoneParts& parts) {
   parser.lexer.take();
   bool is_good = true;
   if (equals_ignoring_case(word, "end")) return false;
+  if (is_bone_word(word)) check_once(parser, parts.seen, word);
   if (equals_ignoring_case(word, "id")) {
     bone.id = parser.lexer.take_in_line();
   } else if (equals_ignoring_case(word, "name")) {
@@ -123,6 +136,14 @@ bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
     parser.error(code::kIncompleteBone, "expected a name for this bone, found none", parts.begin);
     return false;
   }
+  if (!is_bone_name(bone.name) && !equals_ignoring_case(bone.name, "root")) {
+    parser.error(code::kBadName,
+                 fmt::format("expected a name that is no number and none of begin and end, found "
+                             "'{}'",
+                             bone.name),
+                 parts.name_at);
+    return false;
+  }
   const bool has_end = parts.direction_at != nullptr && parts.has_length;
   if (!has_end &&
       !parser.repair(code::kIncompleteBone,
@@ -151,7 +172,8 @@ bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
 
 void keep_bone(Bones& bones, Bone bone, const BoneParts& parts) {
   Parser& parser = bones.parser;
-  const std::string name = text::lowered(bone.name);
+  bone.at = parts.name_at;
+  const std::string name = lowered(bone.name);
   const bool is_known = name == "root" || bones.index_of_name.count(name) > 0;
   if (is_known) {
     parser.error(code::kRepeatedName,
@@ -204,7 +226,7 @@ namespace {
 std::optional<std::size_t> find_bone(
     const std::unordered_map<std::string, std::size_t>& index_of_name, std::string_view token) {
   if (equals_ignoring_case(token, "root")) return kNoParent;
-  const auto found = index_of_name.find(text::lowered(token));
+  const auto found = index_of_name.find(lowered(token));
   return found == index_of_name.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -242,7 +264,7 @@ std::vector<bool> parse_hierarchy(Parser& parser, AsfFile& file) {
   std::vector<bool> has_parent(file.bones.size(), false);
   std::unordered_map<std::string, std::size_t> index_of_name;
   for (std::size_t b = 0; b < file.bones.size(); ++b) {
-    index_of_name[text::lowered(file.bones[b].name)] = b;
+    index_of_name[lowered(file.bones[b].name)] = b;
   }
   const std::string_view begin = parser.lexer.peek();
   if (!equals_ignoring_case(begin, "begin")) {

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "formats/acclaim/lexer.hpp"
 #include "formats/acclaim/syntax.hpp"
@@ -35,6 +37,10 @@ struct Parser {
     return lenient;
   }
 };
+
+/// Reports a word that a part of the file has had already: the later one stands, if that is
+/// lenient.
+void check_once(Parser& parser, std::vector<std::string>& seen, std::string_view word);
 
 /// Reads a whole ASF text. What is wrong with it is in `diagnostics`, every fault of it; the result
 /// counts only if there are no errors.

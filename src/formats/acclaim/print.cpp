@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 
 #include "formats/acclaim/lexer.hpp"
 
@@ -30,10 +30,6 @@ struct Writer {
     }
   }
 };
-
-std::string spelling(const AxisOrder& order) {
-  return {"XYZ"[order[0]], "XYZ"[order[1]], "XYZ"[order[2]]};
-}
 
 std::string joined(const std::array<double, 3>& numbers) {
   return fmt::format("{} {} {}", numbers[0], numbers[1], numbers[2]);
@@ -63,9 +59,9 @@ void print_dofs(Writer& writer, const Bone& bone) {
   }
 }
 
-void print_bone(Writer& writer, const Bone& bone, std::size_t number) {
+void print_bone(Writer& writer, const Bone& bone, const std::string& id) {
   writer.line("  begin");
-  writer.line(fmt::format("     id {}", bone.id.empty() ? std::to_string(number) : bone.id));
+  writer.line("     id " + id);
   writer.line("     name " + bone.name);
   writer.line("     direction " + joined(bone.direction));
   writer.line(fmt::format("     length {}", bone.length));
@@ -75,6 +71,22 @@ void print_bone(Writer& writer, const Bone& bone, std::size_t number) {
   if (!bone.cof_mass.empty()) writer.line("     cofmass " + bone.cof_mass);
   for (const std::string& other : bone.other_lines) writer.line("     " + other);
   writer.line("  end");
+}
+
+/// The ids of all bones: their own, and numbers that no other one has.
+std::vector<std::string> ids_of_bones(const AsfFile& file) {
+  std::set<std::string> used;
+  for (const Bone& bone : file.bones) used.insert(bone.id);
+  std::vector<std::string> ids;
+  std::size_t next = 1;
+  for (const Bone& bone : file.bones) {
+    ids.push_back(bone.id);
+    while (ids.back().empty()) {
+      std::string id = std::to_string(next++);
+      if (used.insert(id).second) ids.back() = std::move(id);
+    }
+  }
+  return ids;
 }
 
 void print_hierarchy(Writer& writer, const AsfFile& file) {
@@ -111,7 +123,8 @@ void print_asf(text::Printer& printer, const AsfFile& file, std::string_view lin
   }
   print_root(writer, file.root);
   writer.line(":bonedata");
-  for (std::size_t b = 0; b < file.bones.size(); ++b) print_bone(writer, file.bones[b], b + 1);
+  const std::vector<std::string> ids = ids_of_bones(file);
+  for (std::size_t b = 0; b < file.bones.size(); ++b) print_bone(writer, file.bones[b], ids[b]);
   print_hierarchy(writer, file);
   if (!file.skin.empty()) {
     writer.line(":skin");

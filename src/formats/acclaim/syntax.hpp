@@ -36,6 +36,14 @@ constexpr std::size_t axis_of(DofWord word) { return static_cast<std::size_t>(wo
 /// {0, 1, 2} and makes Rz Ry Rx.
 using AxisOrder = std::array<std::size_t, 3>;
 
+/// "XYZ" for {0, 1, 2}.
+inline std::string spelling(const AxisOrder& order) {
+  return {"XYZ"[order[0]], "XYZ"[order[1]], "XYZ"[order[2]]};
+}
+
+/// What lengths are taken to be in once they are divided by the unit of length.
+inline constexpr double kMetresPerInch = 0.0254;
+
 /// Three angles about x, y and z (in this order, whatever `order` says), in the file's unit.
 struct Orientation {
   std::array<double, 3> angles{};
@@ -60,6 +68,7 @@ struct Bone {
   std::string cof_mass;
   std::vector<std::string> other_lines;  ///< of words that this project does not know
   std::size_t parent = kNoParent;        ///< index of a bone, or kNoParent for the root
+  const char* at = nullptr;              ///< its place in the text that was parsed
 };
 
 /// `:root`

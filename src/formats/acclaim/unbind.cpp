@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/words.hpp"
 #include "formats/acclaim/bind.hpp"
 #include "formats/acclaim/codes.hpp"
 #include "formats/acclaim/extras.hpp"
@@ -19,14 +20,6 @@ constexpr double kSquareTolerance = 1e-9;
 Error not_expressible(const Joint& joint, std::string_view why) {
   return make_error(ErrorKind::DataLoss, code::kNotExpressible,
                     fmt::format("ASF cannot say that joint '{}' {}", joint.name, why));
-}
-
-/// Whether the reader finds the name again as one word that is no keyword of a bone or a line.
-bool is_writable_name(std::string_view name) {
-  const bool is_word = !name.empty() && name.find_first_of(" \t\v\f\r\n(),#") == std::string::npos;
-  return is_word && name.front() != ':' && !text::equals_ignoring_case(name, "root") &&
-         !text::equals_ignoring_case(name, "begin") && !text::equals_ignoring_case(name, "end") &&
-         text::parse_number(name).fault == text::NumberFault::NotANumber;
 }
 
 /// A degree of freedom and the word that it gets.
@@ -180,10 +173,22 @@ void order_by_columns(std::vector<Worded>& worded) {
   if (rotations(sorted) == rotations(worded)) worded = std::move(sorted);
 }
 
+/// The limits of a bone for other words about the same axes; none if one has none.
+std::vector<Limit> limits_of(const Bone& bone, const std::vector<DofWord>& dofs) {
+  std::vector<Limit> limits;
+  for (const DofWord word : dofs) {
+    const auto found = std::find(bone.dofs.begin(), bone.dofs.end(), word);
+    const auto index = static_cast<std::size_t>(found - bone.dofs.begin());
+    if (index >= bone.limits.size()) return {};
+    limits.push_back(bone.limits[index]);
+  }
+  return limits;
+}
+
 Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extras& extras,
                          AngleUnit unit, std::vector<std::size_t>& columns) {
   const Joint& joint = skeleton.joints[index];
-  if (!is_writable_name(joint.name)) {
+  if (!is_bone_name(joint.name)) {
     return fail(not_expressible(joint, "has a name that is no word of its own"));
   }
   const Joint* parent = joint.parent == kNoParent ? nullptr : &skeleton.joints[joint.parent];
@@ -202,7 +207,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extr
   set_end(bone, end);
   auto worded = words_of(skeleton, joint, WordsFrom::Columns);
   if (!worded) return fail(std::move(worded.error()));
-  if (!says_axes(bone.axis, *worded, unit)) {
+  const bool has_own_axes = says_axes(bone.axis, *worded, unit);
+  if (!has_own_axes) {
     auto axes = axes_of(*worded);
     if (!axes) {
       worded = words_of(skeleton, joint, WordsFrom::Axes);
@@ -218,8 +224,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extr
     if (!is_along) return fail(not_expressible(joint, "grows along another line than its bone"));
   }
   const std::vector<DofWord> dofs = dofs_of(*worded);
-  if (bone.dofs != dofs) {
-    if (!bone.dofs.empty() && bone.dofs.size() != dofs.size()) bone.limits.clear();
+  if (bone.dofs != dofs || !has_own_axes) {
+    bone.limits = has_own_axes ? limits_of(bone, dofs) : std::vector<Limit>{};
     bone.dofs = dofs;
   }
   columns = columns_of(*worded);
@@ -324,7 +330,6 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
   if (!unbound.file.angle) unbound.file.angle = skeleton.angle_unit;
   const AngleUnit unit = *unbound.file.angle;
   if (!unbound.file.length && skeleton.metres_per_unit > 0) {
-    constexpr double kMetresPerInch = 0.0254;
     const double length = kMetresPerInch / skeleton.metres_per_unit;
     if (length != 1) unbound.file.length = length;
   }
@@ -340,7 +345,7 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
     auto bone = unbind_bone(skeleton, j, extras, unit, unbound.columns.back());
     if (!bone) return fail(std::move(bone.error()));
     bone->parent = skeleton.joints[j].parent == 0 ? kNoParent : skeleton.joints[j].parent - 1;
-    if (!names.insert(text::lowered(bone->name)).second) {
+    if (!names.insert(lowered(bone->name)).second) {
       return fail(not_expressible(skeleton.joints[j], "has a name that another one has, too"));
     }
     joint_of_bone.push_back(j);

@@ -9,6 +9,7 @@
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
 #include "formats/bvh/print.hpp"
+#include "formats/reading.hpp"
 #include "text/decode.hpp"
 
 namespace kinefile::bvh {
@@ -85,13 +86,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
 
 Result<Document> read(std::string_view bytes, const ReadOptions& options,
                       Diagnostics& diagnostics) {
-  Diagnostics own;
-  own.warnings_are_errors = diagnostics.warnings_are_errors;
-  auto document = read_alone(bytes, options, own);
-  // A warning may have become an error after the last look at them.
-  if (document && own.has_errors()) document = fail(own.first_error());
-  diagnostics.append(std::move(own));
-  return document;
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,

@@ -135,6 +135,10 @@ std::vector<std::size_t> ordered_columns(const Joint& joint, std::vector<std::si
 }  // namespace
 
 Result<Unbound> unbind(const Skeleton& skeleton) {
+  if (skeleton.angle_unit != AngleUnit::Degrees && !skeleton.coordinates.empty()) {
+    return fail(make_error(ErrorKind::DataLoss, code::kNotExpressible,
+                           "BVH cannot say that angles are in radians"));
+  }
   std::vector<Column> columns(skeleton.coordinates.size());
   if (auto error = name_columns(skeleton, columns)) return fail(std::move(*error));
 

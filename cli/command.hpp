@@ -40,6 +40,9 @@ struct Reading {
   bool is_strict = false;
 };
 
+/// What is wrong with a text as frames a second; empty if nothing is.
+std::string check_rate(const std::string& text);
+
 /// Gives a command the options of `Reading`.
 void add_reading_options(CLI::App& command, Reading& reading);
 

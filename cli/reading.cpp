@@ -14,13 +14,6 @@ PositionMode position_mode(const std::string& word) {
   return word == "auto" ? PositionMode::Auto : PositionMode::Replace;
 }
 
-std::string check_rate(const std::string& text) {
-  double rate = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, rate);
-  // Within these, frame times and times are finite numbers, too.
-  return is_number && rate >= 1e-9 && rate <= 1e9 ? "" : "expected frames a second above 0";
-}
-
 /// Metres in one unit of length, from a word or a number.
 std::optional<double> metres_of(const std::string& unit) {
   if (unit == "m") return 1.0;
@@ -46,6 +39,13 @@ std::vector<std::string> readable_formats() {
 
 }  // namespace
 
+std::string check_rate(const std::string& text) {
+  double rate = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, rate);
+  // Within these, frame times and times are finite numbers, too.
+  return is_number && rate >= 1e-9 && rate <= 1e9 ? "" : "expected frames a second above 0";
+}
+
 void add_reading_options(CLI::App& command, Reading& reading) {
   command.add_option("--from", reading.from, "Format of the input; else its content and name tell")
       ->check(CLI::IsMember(readable_formats()))
@@ -70,8 +70,10 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
       ->type_name("ENCODING");
   command
-      .add_option("--unit-in", reading.unit_in,
-                  "What one unit of length is, where the file does not say")
+      .add_option(
+          "--unit-in", reading.unit_in,
+          "What one unit of length is, where the file does not say (ASF: once divided by its "
+          "own unit)")
       ->check(check_unit)
       ->type_name("m|cm|mm|inch|FACTOR");
   command.add_flag("--lenient", reading.is_lenient,

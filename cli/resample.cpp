@@ -35,13 +35,13 @@ void add_resample(CLI::App& app, Globals& globals) {
   // Here the rate is the output's; what the input's is, the file says.
   command->remove_option(command->get_option("--fps"));
   command->add_option("--fps", resample->frame_rate, "Frames a second of the output")
-      ->check(CLI::Range(1e-9, 1e9))
+      ->check(check_rate)
       ->required()
       ->type_name("RATE");
   command
       ->add_option("--fps-in", resample->retiming.reading.fps,
                    "Frames a second of the input, instead of what the file says")
-      ->check(CLI::Range(1e-9, 1e9))
+      ->check(check_rate)
       ->type_name("RATE");
   command->callback([resample, &globals] {
     globals.run = [resample, &globals] { return run(*resample, globals); };

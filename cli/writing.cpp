@@ -64,21 +64,27 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   WriteOptions options;
   options.decimals = writing.decimals;
   const bool has_named_skeleton = !reading.skeleton.empty() && !format.companion.empty();
-  bool is_companion_there = has_named_skeleton;
-  if (has_named_skeleton && document.format != format.name) {
-    const auto skeleton = load_skeleton(reading, diagnostics);
-    if (!skeleton) return fail(skeleton.error());
-    is_companion_there = skeleton->format == format.companion;
-    auto moved = on_skeleton_of(*skeleton, std::move(document), diagnostics);
-    if (!moved) return fail(std::move(moved.error()));
-    document = std::move(*moved);
-  }
-  if (is_companion_there) {
-    options.writes_companion = false;
-    options.companion = reading.skeleton.substr(reading.skeleton.find_last_of('/') + 1);
+  std::optional<Document> skeleton;
+  if (has_named_skeleton) {
+    Diagnostics ignored;  // a motion that needs it has told of it already
+    const bool is_new = document.format != format.name;
+    auto loaded = load_skeleton(reading, is_new ? diagnostics : ignored);
+    if (!loaded) return fail(std::move(loaded.error()));
+    skeleton = std::move(*loaded);
+    if (is_new) {
+      auto moved = on_skeleton_of(*skeleton, std::move(document), diagnostics);
+      if (!moved) return fail(std::move(moved.error()));
+      document = std::move(*moved);
+    }
   }
   auto adapted = adapted_to(format, std::move(document), channels, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
+  // The named skeleton serves the output, too, as long as the motion still fits it.
+  if (skeleton && skeleton->format == format.companion &&
+      are_written_alike(*find_format(format.companion), *skeleton, *adapted)) {
+    options.writes_companion = false;
+    options.companion = reading.skeleton.substr(reading.skeleton.find_last_of('/') + 1);
+  }
   return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
 }
 

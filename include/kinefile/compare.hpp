@@ -33,7 +33,8 @@ struct MotionComparison {
 /// Compares where two motions put their joints. Joints are matched by name, repeated names in
 /// their order; each frame of the first is held against the frame of the second that is nearest
 /// in time; motions without frames are compared in their rest poses. Where just one of two numbers
-/// is NaN, they differ by infinity.
+/// is NaN, they differ by infinity. Where both say their units of length, the second's are
+/// converted.
 MotionComparison compare_motions(const Motion& first, const Motion& second);
 
 }  // namespace kinefile

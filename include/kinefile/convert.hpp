@@ -16,6 +16,10 @@ namespace kinefile {
 Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
                             Diagnostics& diagnostics);
 
+/// Whether two documents are written alike in a format: whether a motion still fits the skeleton
+/// that it was read with, say.
+bool are_written_alike(const Format& format, const Document& a, const Document& b);
+
 /// Puts a document's motion on another skeleton (see `onto_skeleton`), with what that one's format
 /// keeps of it.
 /// \errors those of `onto_skeleton`; CNV001 (Usage) for a document without a motion

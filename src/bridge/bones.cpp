@@ -172,6 +172,8 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   add_dofs(builder, old_index, 0, true);
   builder.new_of_old.push_back(0);
   Vec3 end = Vec3::Zero();
+  if (lowered(old.name) == "root" && old.name != "root")
+    builder.renamed.push_back(old.name + "' to 'root");
   if (lowered(old.name) != "root") {
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
     const std::string name = unique_name(builder, as_bone_name(old.name));
@@ -186,7 +188,7 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   const Vec3 end =
       end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
   const std::string name = unique_name(builder, as_bone_name(old.name));
-  if (name != old.name) builder.renamed.push_back(old.name);
+  if (name != old.name) builder.renamed.push_back(old.name + "' to '" + name);
   const std::size_t index = add_joint(builder, name, holder, end);
   builder.new_of_old.push_back(index);
   add_dofs(builder, old_index, index, false);
@@ -275,7 +277,7 @@ void tell_changes(Builder& builder) {
   note(
       Severity::Note, builder.added,
       "bones without degrees of freedom lead to joints and tips that do not sit where a bone ends");
-  note(Severity::Warning, builder.renamed, "names that are no words of their own were changed");
+  note(Severity::Warning, builder.renamed, "names that no bone can have were changed");
   note(Severity::Note, builder.without_positions,
        "positions of joints that never leave their offset are left out");
   note(Severity::Warning, builder.with_positions,

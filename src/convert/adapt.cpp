@@ -99,6 +99,23 @@ Result<Document> adapted_to(const Format& format, Document document, const Chann
   return document;
 }
 
+bool are_written_alike(const Format& format, const Document& a, const Document& b) {
+  const auto written = [&format](const Document& document) -> std::optional<std::string> {
+    std::string text;
+    Diagnostics ignored;
+    WriteOptions options;
+    options.is_companion = true;
+    const Sink sink = [&text](std::string_view piece) {
+      text += piece;
+      return true;
+    };
+    if (!format.write(document, options, sink, ignored)) return std::nullopt;
+    return text;
+  };
+  const auto first = written(a);
+  return first && first == written(b);
+}
+
 Result<Document> on_skeleton_of(const Document& skeleton, Document document,
                                 Diagnostics& diagnostics) {
   const Motion* motion = std::get_if<Motion>(&document.content);

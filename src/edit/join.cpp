@@ -7,6 +7,7 @@
 
 #include "edit/blend.hpp"
 #include "edit/skeleton_facts.hpp"
+#include "edit/unwrap.hpp"
 #include "kinefile/edit.hpp"
 
 namespace kinefile {
@@ -132,6 +133,8 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
     blender.blend(moved.clip.row(i), u * u * (3 - 2 * u), first.clip.row(overlap + i));
   }
   append_rows(first.clip, moved.clip, num_blend_frames);
+  // Both may hold the same rotation in angles that are whole turns apart.
+  unwrap_from(first, overlap);
 }
 
 }  // namespace

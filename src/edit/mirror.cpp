@@ -270,6 +270,13 @@ Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
   signs[static_cast<Eigen::Index>(axis)] = -1;
   const Mat3 mirror = signs.asDiagonal();
   const auto pairs = mirror_pairs(skeleton, axis);
+  if (!lie_opposite(skeleton, pairs, axis)) {
+    auto complained = complain(
+        context, fmt::format("left and right do not lie on the two sides of a mirror whose normal "
+                             "is {}; that of this skeleton is {}",
+                             "xyz"[axis], "xyz"[guess_mirror_axis(skeleton)]));
+    if (!complained) return fail(std::move(complained.error()));
+  }
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (skeleton.joints[j].dofs.empty() &&
         (pairs[j] == kNoParent || skeleton.joints[pairs[j]].dofs.empty())) {

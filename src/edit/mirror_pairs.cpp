@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
@@ -168,6 +169,20 @@ std::vector<std::size_t> mirror_pairs(const Skeleton& skeleton, std::size_t axis
   auto pairs = pairs_by_name(skeleton);
   if (!pairs.empty()) pair_by_place(skeleton, axis, pairs);
   return pairs;
+}
+
+bool lie_opposite(const Skeleton& skeleton, const std::vector<std::size_t>& pairs,
+                  std::size_t axis) {
+  const auto places = rest_positions(skeleton);
+  double along = 0;
+  double across = 0;
+  for (std::size_t j = 0; j < pairs.size(); ++j) {
+    if (pairs[j] == kNoParent) continue;
+    Vec3 apart = places[j] - places[pairs[j]];
+    along += std::abs(std::exchange(apart[static_cast<Eigen::Index>(axis)], 0.0));
+    across += apart.norm();
+  }
+  return along >= across;
 }
 
 std::size_t guess_mirror_axis(const Skeleton& skeleton) {

@@ -17,4 +17,9 @@ std::vector<std::size_t> pairs_by_name(const Skeleton& skeleton);
 /// \param axis  the normal of the mirror
 std::vector<std::size_t> mirror_pairs(const Skeleton& skeleton, std::size_t axis);
 
+/// Whether the two halves lie on the two sides of a mirror, all pairs together: further apart along
+/// its normal than across it.
+bool lie_opposite(const Skeleton& skeleton, const std::vector<std::size_t>& pairs,
+                  std::size_t axis);
+
 }  // namespace kinefile

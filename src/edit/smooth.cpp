@@ -204,6 +204,15 @@ Result<Motion> smoothed(const Motion& motion, double cutoff_hz) {
                                        "Hz, found {}",
                                        rate / 2, cutoff_hz)));
   }
+  // Slower than a quarter of a wave in the whole motion, only the filter's start would be left.
+  constexpr double kFewestWaves = 0.25;
+  const double length = duration(motion.clip.timeline, motion.clip.num_frames);
+  if (length > 0 && cutoff_hz * length < kFewestWaves) {
+    return fail(make_error(ErrorKind::Usage, "EDT007",
+                           fmt::format("expected a cut-off of {} Hz or more for a motion of {} s, "
+                                       "found {}",
+                                       kFewestWaves / length, length, cutoff_hz)));
+  }
   if (auto error = find_not_finite(motion)) return fail(std::move(*error));
   const Filter filter(cutoff_hz, rate);
   const Skeleton& skeleton = motion.skeleton;

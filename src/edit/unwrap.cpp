@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "edit/unwrap.hpp"
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -17,9 +19,9 @@ double nearest_turn(double angle, double near, double turn) {
 }
 
 /// Takes the jumps by whole turns out of a column.
-void unwrap_column(Clip& clip, std::size_t column, double turn) {
+void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double turn) {
   std::optional<double> before;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+  for (std::size_t f = begin; f < clip.num_frames; ++f) {
     double& angle = clip.row(f)[column];
     if (!std::isfinite(angle)) continue;
     if (before) angle = nearest_turn(angle, *before, turn);
@@ -42,9 +44,9 @@ Vec3 nearest_turns(const Vec3& angles, const Vec3& near, double turn) {
           nearest_turn(angles[2], near[2], turn)};
 }
 
-void unwrap_triple(Clip& clip, const Triple& triple, double turn) {
+void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double turn) {
   std::optional<Vec3> before;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+  for (std::size_t f = begin; f < clip.num_frames; ++f) {
     const Vec3 angles = triple.in_row(clip.row(f));
     if (!angles.allFinite()) continue;
     Vec3 best = angles;
@@ -54,7 +56,9 @@ void unwrap_triple(Clip& clip, const Triple& triple, double turn) {
       const Vec3 other(angles[0] + half, (triple.is_proper ? 0 : half) - angles[1],
                        angles[2] + half);
       const Vec3 twin = nearest_turns(other, *before, turn);
-      if ((twin - *before).squaredNorm() < (best - *before).squaredNorm()) best = twin;
+      // A flip shows as half a turn in two angles; smaller steps are the motion's own.
+      const double step = (best - *before).cwiseAbs().maxCoeff();
+      if (step > turn / 4 && (twin - *before).cwiseAbs().maxCoeff() < step) best = twin;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       clip.row(f)[triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
@@ -94,9 +98,9 @@ std::vector<bool> angle_columns(const Skeleton& skeleton) {
 }
 
 /// Gives a joint's quaternions the signs by which they change least.
-void unwrap_free(Clip& clip, std::size_t first) {
+void unwrap_free(Clip& clip, std::size_t begin, std::size_t first) {
   std::optional<Eigen::Vector4d> before;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+  for (std::size_t f = begin; f < clip.num_frames; ++f) {
     Eigen::Map<Eigen::Vector4d> quaternion(&clip.row(f)[first + 3]);
     if (!quaternion.allFinite()) continue;
     if (before && quaternion.dot(*before) < 0) quaternion = -quaternion;
@@ -106,21 +110,26 @@ void unwrap_free(Clip& clip, std::size_t first) {
 
 }  // namespace
 
-Motion unwrapped(const Motion& motion) {
-  Motion result = motion;
+void unwrap_from(Motion& motion, std::size_t first_frame) {
+  const std::size_t begin = first_frame > 0 ? first_frame - 1 : 0;
   const double turn = whole_turn(motion.skeleton.angle_unit);
   const auto readers = num_readers_of_columns(motion.skeleton);
   std::vector<bool> is_waiting = angle_columns(motion.skeleton);
   for (const Joint& joint : motion.skeleton.joints) {
-    if (const auto column = free_column(joint)) unwrap_free(result.clip, *column);
+    if (const auto column = free_column(joint)) unwrap_free(motion.clip, begin, *column);
     if (const auto triple = triple_of(rotations_of(joint), readers)) {
-      unwrap_triple(result.clip, *triple, turn);
+      unwrap_triple(motion.clip, begin, *triple, turn);
       for (const std::size_t column : triple->columns) is_waiting[column] = false;
     }
   }
   for (std::size_t c = 0; c < is_waiting.size(); ++c) {
-    if (is_waiting[c]) unwrap_column(result.clip, c, turn);
+    if (is_waiting[c]) unwrap_column(motion.clip, begin, c, turn);
   }
+}
+
+Motion unwrapped(const Motion& motion) {
+  Motion result = motion;
+  unwrap_from(result, 0);
   return result;
 }
 

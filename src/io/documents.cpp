@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "kinefile/io.hpp"
 
 namespace kinefile {
@@ -102,6 +104,7 @@ Result<void> write_file(const std::string& path, const Document& document, const
     diagnostics.add(std::move(note));
   }
   std::optional<OutputFile> beside;
+  std::string beside_path;
   if (!format.companion.empty() && options.writes_companion && path != "-") {
     const Format& other = *find_format(format.companion);
     const std::string name = companion_path(path, other);
@@ -116,6 +119,7 @@ Result<void> write_file(const std::string& path, const Document& document, const
     auto written = write_output(name, document, other, for_companion, replace, diagnostics);
     if (!written) return fail(std::move(written.error()));
     beside = std::move(*written);
+    beside_path = name;
     with_companion.companion = name.substr(name.find_last_of('/') + 1);
   }
   auto file = write_output(path, document, format, with_companion, replace, diagnostics);
@@ -125,7 +129,10 @@ Result<void> write_file(const std::string& path, const Document& document, const
   if (beside) {
     if (auto committed = beside->commit(); !committed) return committed;
   }
-  return file->commit();
+  auto committed = file->commit();
+  // Half of a pair is not left behind, unless it replaced another one.
+  if (!committed && beside && !replace) std::filesystem::remove(beside_path);
+  return committed;
 }
 
 }  // namespace kinefile

@@ -66,13 +66,15 @@ std::size_t nearest_frame(const Clip& clip, double time) {
 }
 
 /// The distance of two points; NaN agrees with NaN and with nothing else.
-double distance_of(const double* a, const double* b) {
+/// \param scale  what brings the second one to the unit of the first
+double distance_of(const double* a, const double* second, double scale) {
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (std::isnan(a[k]) && std::isnan(b[k])) continue;
-    if (a[k] == b[k]) continue;
-    if (std::isnan(a[k]) || std::isnan(b[k])) return std::numeric_limits<double>::infinity();
-    square += (a[k] - b[k]) * (a[k] - b[k]);
+    const double b_k = scale * second[k];
+    if (std::isnan(a[k]) && std::isnan(b_k)) continue;
+    if (a[k] == b_k) continue;
+    if (std::isnan(a[k]) || std::isnan(b_k)) return std::numeric_limits<double>::infinity();
+    square += (a[k] - b_k) * (a[k] - b_k);
   }
   return std::sqrt(square);
 }
@@ -94,6 +96,7 @@ void keep_larger(LargestDifference& largest, double value, const std::string& jo
 
 struct Side {
   const Motion& motion;
+  double scale;  ///< to the first motion's unit of length
   std::vector<std::size_t> first_tip;
   WorldPoses poses;
 
@@ -115,7 +118,7 @@ void compare_joint(const Side& a, const Side& b, JointPair pair, std::size_t row
   const Joint& joint = a.motion.skeleton.joints[pair.first];
   const std::size_t num_tips_b = b.motion.skeleton.joints[pair.second].tips.size();
   keep_larger(comparison.distance,
-              distance_of(a.position(row_a, pair.first), b.position(row_b, pair.second)),
+              distance_of(a.position(row_a, pair.first), b.position(row_b, pair.second), b.scale),
               joint.name, frame, time);
   keep_larger(comparison.rotation,
               rotation_of(a.rotation(row_a, pair.first), b.rotation(row_b, pair.second)),
@@ -123,7 +126,7 @@ void compare_joint(const Side& a, const Side& b, JointPair pair, std::size_t row
   if (joint.tips.size() != num_tips_b) return;
   for (std::size_t t = 0; t < joint.tips.size(); ++t) {
     keep_larger(comparison.tip_distance,
-                distance_of(a.tip(row_a, pair.first, t), b.tip(row_b, pair.second, t)),
+                distance_of(a.tip(row_a, pair.first, t), b.tip(row_b, pair.second, t), b.scale),
                 tip_label(joint, t), frame, time);
   }
 }
@@ -153,8 +156,11 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
   const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
   if (first.clip.num_frames == 0 || second.clip.num_frames == 0) return comparison;
 
-  Side a{first, first_tips_of_joints(first.skeleton), {}};
-  Side b{second, first_tips_of_joints(second.skeleton), {}};
+  const double unit_a = first.skeleton.metres_per_unit;
+  const double unit_b = second.skeleton.metres_per_unit;
+  const double scale = unit_a > 0 && unit_b > 0 && unit_a != unit_b ? unit_b / unit_a : 1;
+  Side a{first, 1, first_tips_of_joints(first.skeleton), {}};
+  Side b{second, scale, first_tips_of_joints(second.skeleton), {}};
   const auto partner = [&](std::size_t frame) {
     return nearest_frame(second.clip, time_of_frame(first.clip.timeline, frame));
   };

@@ -21,7 +21,7 @@ inline double without_rounding(double frames) {
 /// whole frames are shown bit for bit.
 inline double on_whole_frame(double frame) {
   const double whole = std::round(frame);
-  return std::abs(frame - whole) <= 1e-15 * std::max(1.0, whole) ? whole : frame;
+  return std::abs(frame - whole) <= 1e-12 * std::max(1.0, whole) ? whole : frame;
 }
 
 }  // namespace kinefile::retiming

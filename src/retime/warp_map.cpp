@@ -182,7 +182,8 @@ double between_knots(const Plan& plan, std::size_t j, double frame) {
   const Knot& from = plan.knots[j];
   const Knot& to = plan.knots[j + 1];
   if (!plan.slopes.empty()) {
-    return retiming::cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame);
+    return retiming::on_whole_frame(
+        retiming::cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame));
   }
   if (plan.ease.kind == Ease::Kind::None) {
     return retiming::on_whole_frame(retiming::straight_at(from, to, frame));

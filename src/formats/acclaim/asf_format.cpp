@@ -30,8 +30,7 @@ bool probe(std::string_view head) {
 }
 
 /// Says what lengths are taken to be, since no file says it.
-void note_unit(const AsfFile& file, const text::Source& source, Diagnostics& diagnostics) {
-  const double length = file.length.value_or(1.0);
+void note_unit(double length, const text::Source& source, Diagnostics& diagnostics) {
   diagnostics.add(source.diagnose(
       Severity::Note, code::kUnitAssumed,
       fmt::format("lengths divided by {} are taken as inches, which makes a unit {} m; --unit-in "
@@ -95,8 +94,10 @@ Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& op
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   skeleton.encoding = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
   skeleton.line_end = text::line_end_of(decoded->view());
-  skeleton.metres_per_quotient = options.metres_per_unit.value_or(kMetresPerInch);
-  if (!options.metres_per_unit) note_unit(skeleton.file, source, diagnostics);
+  // Without a unit in the file there is nothing to assume anything from.
+  const auto& length = skeleton.file.length;
+  skeleton.metres_per_quotient = options.metres_per_unit.value_or(length ? kMetresPerInch : 0.0);
+  if (length && !options.metres_per_unit) note_unit(*length, source, diagnostics);
   return skeleton;
 }
 

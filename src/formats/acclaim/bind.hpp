@@ -13,9 +13,9 @@ namespace kinefile::acclaim {
 
 /// How a skeleton is given its meaning.
 struct BindOptions {
-  bool forces_3dof = false;  ///< bones that can turn, turn about all three axes
-  double metres_per_quotient =
-      kMetresPerInch;  ///< what lengths divided by the unit of length are in
+  bool forces_3dof = false;                     ///< bones that can turn, turn about all three axes
+  double metres_per_quotient = kMetresPerInch;  ///< what lengths divided by the unit of length are
+                                                ///< in; 0: nobody knows
 };
 
 /// The rotation of an orientation: "XYZ" makes Rz Ry Rx. Whole quarter turns are exact.

@@ -390,7 +390,11 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
     }
   }
   finish_frame(body);
-  if (body.out.num_frames == 0 && !parser.diagnostics.has_errors()) {
+  const bool is_blank =
+      parser.source.text().find_first_not_of(" \t\v\f\r\n") == std::string_view::npos;
+  if (is_blank) {
+    parser.error(code::kNoFrames, "expected a motion, found an empty file", parser.source.end());
+  } else if (body.out.num_frames == 0 && !parser.diagnostics.has_errors()) {
     parser.warn(code::kNoFrames,
                 "expected a frame number, found the end of the file; the motion "
                 "has no frames",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "formats/acclaim/lexer.hpp"
@@ -115,7 +116,7 @@ void print_asf(text::Printer& printer, const AsfFile& file, std::string_view lin
   writer.line(":name " + (file.name.empty() ? std::string("skeleton") : file.name));
   writer.line(":units");
   writer.line(fmt::format("  mass {}", file.mass.value_or(1.0)));
-  writer.line(fmt::format("  length {}", file.length.value_or(1.0)));
+  if (file.length) writer.line(fmt::format("  length {}", *file.length));
   writer.line(fmt::format("  angle {}", angle_word(file.angle.value_or(AngleUnit::Degrees))));
   if (!file.documentation.empty()) {
     writer.line(":documentation");
@@ -141,16 +142,19 @@ std::vector<std::size_t> line_order(const Unbound& unbound, const std::string& b
   for (std::size_t i = 0; i < unbound.columns.size(); ++i) {
     if (!unbound.columns[i].empty()) usual.push_back(i);
   }
+  std::map<std::string_view, std::size_t> waiting;
+  for (const std::size_t i : usual) {
+    waiting.emplace(i == 0 ? std::string_view("root") : unbound.file.bones[i - 1].name, i);
+  }
   std::vector<std::size_t> kept;
   Lexer lexer(bone_order);
   for (std::string_view name = lexer.take(); !name.empty(); name = lexer.take()) {
-    for (const std::size_t i : usual) {
-      if (name == (i == 0 ? "root" : std::string_view(unbound.file.bones[i - 1].name))) {
-        kept.push_back(i);
-      }
-    }
+    const auto found = waiting.find(name);
+    if (found == waiting.end()) return usual;
+    kept.push_back(found->second);
+    waiting.erase(found);
   }
-  return std::is_permutation(kept.begin(), kept.end(), usual.begin(), usual.end()) ? kept : usual;
+  return waiting.empty() ? kept : usual;
 }
 
 void print_heading(Writer& writer, const Unbound& unbound, const AmcHeading& heading,

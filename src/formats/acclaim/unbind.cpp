@@ -330,8 +330,7 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
   if (!unbound.file.angle) unbound.file.angle = skeleton.angle_unit;
   const AngleUnit unit = *unbound.file.angle;
   if (!unbound.file.length && skeleton.metres_per_unit > 0) {
-    const double length = kMetresPerInch / skeleton.metres_per_unit;
-    if (length != 1) unbound.file.length = length;
+    unbound.file.length = kMetresPerInch / skeleton.metres_per_unit;
   }
   unbound.columns.emplace_back();
   auto root = unbind_root(skeleton, unbound.file.root, unit, unbound.columns.back());

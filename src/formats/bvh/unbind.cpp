@@ -145,9 +145,14 @@ Result<Unbound> unbind(const Skeleton& skeleton) {
   const auto columns_of_joint = columns_of_joints(skeleton);
   Unbound unbound;
   std::vector<std::size_t> node_of_joint(skeleton.joints.size());
+  std::vector<std::size_t> depth(skeleton.joints.size());
   for (const std::size_t j : depth_first(skeleton)) {
     const Joint& joint = skeleton.joints[j];
     node_of_joint[j] = unbound.file.nodes.size();
+    depth[j] = joint.parent == kNoParent ? 1 : depth[joint.parent] + 1;
+    if (depth[j] >= kMaxDepth) {
+      return fail(not_expressible(joint, "lies deeper than its readers go"));
+    }
     Node node;
     node.name = joint.name;
     node.parent = joint.parent == kNoParent ? kNoParent : node_of_joint[joint.parent];

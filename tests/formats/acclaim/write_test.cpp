@@ -151,13 +151,40 @@ TEST(AcclaimConvert, PositionsOfOtherJointsThanTheRoot) {
 }
 
 TEST(AcclaimConvert, OntoAnotherSkeletonSaysWhatCannotBe) {
-  const ReadText bvh = read_bvh(bvh_with_rows({"1 2 3 0 0 0 10 20 30"}));
+  // The bone b can turn about x alone; the joint A of the other motion turns about z by 30 degrees.
+  Motion motion = read_bvh(bvh_with_rows({"1 2 3 0 0 0 30 20 10"})).motion();
   const ReadText asf = read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx\n"));
   Diagnostics diagnostics;
-  const auto refused = onto_skeleton(bvh.motion(), skeleton_of(*asf.document), diagnostics);
-  ASSERT_TRUE(refused);  // the roots belong together whatever their names
-  EXPECT_EQ(diagnostics.count_of("BRG006", Severity::Warning), 2u) << text_of(diagnostics);
-  EXPECT_EQ(refused->clip.row(0)[1], 2);
+  EXPECT_EQ(onto_skeleton(motion, skeleton_of(*asf.document), diagnostics).error().code, "BRG004");
+  motion.skeleton.joints[1].name = "B";
+  const auto moved = onto_skeleton(motion, skeleton_of(*asf.document), diagnostics);
+  ASSERT_TRUE(moved);
+  const std::string told = text_of(diagnostics);
+  EXPECT_NE(told.find("joint 'b' cannot turn as it did"), std::string::npos) << told;
+  EXPECT_NE(told.find("positions are taken over as they are"), std::string::npos) << told;
+  EXPECT_EQ(moved->clip.row(0)[1], 2);
+}
+
+TEST(AcclaimConvert, OntoItsOwnBonesNothingIsLost) {
+  Document walk;
+  walk.content = examples::make_walk({.num_frames = 10});
+  Diagnostics diagnostics;
+  const Document bones = adapted(walk, "amc", diagnostics);
+  const auto moved = onto_skeleton(std::get<Motion>(walk.content), skeleton_of(bones), diagnostics);
+  ASSERT_TRUE(moved);
+  Document again;
+  again.content = *moved;
+  EXPECT_LE(largest_distance(walk, again), 1e-11) << text_of(diagnostics);
+}
+
+TEST(AcclaimConvert, RadiansBecomeDegreesInBvh) {
+  const Document document = read_document(
+      ":RADIANS\n1\nroot 0 0 0 0.1 0.2 0.3\nb 1 -2\n2\nroot 0 0 0 0.1 0.2 0.3\nb 1.5 -2\n",
+      asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
+  Diagnostics diagnostics;
+  const ReadText bvh = read_bvh(write_to_string(adapted(document, "bvh", diagnostics), "bvh"));
+  ASSERT_TRUE(bvh.document) << text_of(bvh.diagnostics);
+  EXPECT_LE(largest_distance(document, *bvh.document), 1e-14);
 }
 
 }  // namespace

@@ -33,24 +33,28 @@ class Filter {
   /// Filters numbers in place. They are continued at both ends by their odd reflections.
   void run(std::vector<double>& numbers) const {
     const std::size_t count = numbers.size();
+    if (count < 2) return;
     const bool is_still =
         std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
     if (is_still) return;
     const std::size_t padding = std::min({padding_, count - 1, kMostPadding});
-    // About the first number, so that numbers which do not change stay exactly as they are.
+    // About the straight line between the ends, which the filter keeps: so it starts at rest, and
+    // what is slower than the motion is long comes out as that line.
     const double origin = numbers.front();
-    const double end = numbers.back();
+    const double slope = (numbers.back() - origin) / static_cast<double>(count - 1);
+    const auto line_at = [&](std::size_t i) { return origin + slope * static_cast<double>(i); };
     std::vector<double> padded(count + 2 * padding);
-    for (std::size_t i = 0; i < count; ++i) padded[padding + i] = numbers[i] - origin;
+    for (std::size_t i = 0; i < count; ++i) padded[padding + i] = numbers[i] - line_at(i);
+    padded[padding + count - 1] = 0;
     for (std::size_t i = 1; i <= padding; ++i) {
-      padded[padding - i] = origin - numbers[i];
-      padded[padding + count - 1 + i] = 2 * (end - origin) - (numbers[count - 1 - i] - origin);
+      padded[padding - i] = -padded[padding + i];
+      padded[padding + count - 1 + i] = -padded[padding + count - 1 - i];
     }
     run_forwards(padded);
     std::reverse(padded.begin(), padded.end());
     run_forwards(padded);
     std::reverse(padded.begin(), padded.end());
-    for (std::size_t i = 0; i < count; ++i) numbers[i] = origin + padded[padding + i];
+    for (std::size_t i = 0; i < count; ++i) numbers[i] = line_at(i) + padded[padding + i];
   }
 
  private:
@@ -203,15 +207,6 @@ Result<Motion> smoothed(const Motion& motion, double cutoff_hz) {
                            fmt::format("expected a cut-off between 0 and half the frame rate, {} "
                                        "Hz, found {}",
                                        rate / 2, cutoff_hz)));
-  }
-  // Slower than a quarter of a wave in the whole motion, only the filter's start would be left.
-  constexpr double kFewestWaves = 0.25;
-  const double length = duration(motion.clip.timeline, motion.clip.num_frames);
-  if (length > 0 && cutoff_hz * length < kFewestWaves) {
-    return fail(make_error(ErrorKind::Usage, "EDT007",
-                           fmt::format("expected a cut-off of {} Hz or more for a motion of {} s, "
-                                       "found {}",
-                                       kFewestWaves / length, length, cutoff_hz)));
   }
   if (auto error = find_not_finite(motion)) return fail(std::move(*error));
   const Filter filter(cutoff_hz, rate);

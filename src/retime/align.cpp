@@ -8,6 +8,7 @@
 #include "retime/curves.hpp"
 #include "retime/dtw.hpp"
 #include "retime/frame_distance.hpp"
+#include "retime/frames.hpp"
 
 namespace kinefile {
 namespace {
@@ -160,7 +161,7 @@ std::vector<double> frames_through(const std::vector<Knot>& knots, std::size_t n
     const double x = number(frame);
     while (x >= knots[k + 1].x) ++k;
     const double y = retiming::cubic_at(knots[k], slopes[k], knots[k + 1], slopes[k + 1], x);
-    old_frames.push_back(std::clamp(y, knots[k].y, knots[k + 1].y));
+    old_frames.push_back(retiming::on_whole_frame(std::clamp(y, knots[k].y, knots[k + 1].y)));
   }
   old_frames.push_back(knots.back().y);
   return old_frames;

@@ -160,5 +160,16 @@ TEST(Smoothed, NeedsFewFramesOrNone) {
   EXPECT_EQ(smooth(motion_of_signal(9, sine(1)), 1e-9).clip.num_frames, 9u);
 }
 
+TEST(Smoothed, WhatIsSlowerThanTheMotionIsLongComesOutAsTheLineBetweenItsEnds) {
+  Motion motion = motion_of_signal(200, sine(1));
+  const double first = motion.clip.values.front();
+  const double last = motion.clip.values.back();
+  const Motion still = smooth(motion, 1e-9);
+  for (std::size_t f = 0; f < 200; ++f) {
+    const double line = first + (last - first) * static_cast<double>(f) / 199;
+    EXPECT_NEAR(still.clip.row(f)[0], line, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace kinefile

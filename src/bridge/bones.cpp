@@ -165,8 +165,7 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   root.rest_rotation = old.rest_rotation;
   if (has_frames && rest_offset(old) != old.offset) {
     tell(builder.diagnostics, Severity::Note,
-         fmt::format("the rest pose puts the root at its offset of 0, not at that of '{}'",
-                     old.name));
+         fmt::format("the root rests at the origin, not where '{}' did", old.name));
   }
   builder.joints().push_back(std::move(root));
   add_dofs(builder, old_index, 0, true);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -18,6 +20,22 @@ TEST(CompareMotions, AMotionAgreesWithItself) {
   EXPECT_EQ(comparison.tip_distance.value, 0);
   EXPECT_EQ(comparison.rotation.value, 0);
   EXPECT_TRUE(comparison.only_in_first.empty());
+}
+
+TEST(CompareMotions, LengthsAreInTheFirstMotionsUnit) {
+  Motion metres = examples::make_walk({.num_frames = 5});
+  Motion feet = metres;
+  metres.skeleton.metres_per_unit = 1;
+  feet.skeleton.metres_per_unit = 0.25;
+  const MotionComparison comparison = compare_motions(metres, feet);
+  const WorldPoses poses = forward_kinematics(metres.skeleton, metres.clip);
+  double furthest = 0;
+  for (std::size_t i = 0; i < poses.positions.size(); i += 3) {
+    furthest = std::max(furthest, Vec3(&poses.positions[i]).norm());
+  }
+  EXPECT_NEAR(comparison.distance.value, 0.75 * furthest, 1e-9);
+  feet.skeleton.metres_per_unit = 0;  // unknown: as they are
+  EXPECT_EQ(compare_motions(metres, feet).distance.value, 0);
 }
 
 TEST(CompareMotions, SaysWhereAndWhenTheyDiffer) {

@@ -156,6 +156,23 @@ TEST(Looped, WalksOnWhenBlended) {
   EXPECT_LT(fastest(*far, 0, 420), 2 * fastest(walk, 0, 120));
 }
 
+TEST(Looped, AnglesThatAreWholeTurnsApartAtTheSeamDoNotJump) {
+  Motion walk = examples::make_walk({.num_frames = 60});
+  for (std::size_t f = 0; f < 60; ++f) {  // every angle winds up by a whole turn over the clip
+    const auto row = walk.clip.row(f);
+    for (std::size_t c = 3; c < row.size(); ++c) row[c] += 360 * static_cast<double>(f) / 59;
+  }
+  const auto twice = looped(walk, 2, 10);
+  ASSERT_TRUE(twice);
+  double largest = 0;
+  for (std::size_t f = 1; f < twice->clip.num_frames; ++f) {
+    for (std::size_t c = 3; c < twice->clip.num_coordinates; ++c) {
+      largest = std::max(largest, std::abs(twice->clip.row(f)[c] - twice->clip.row(f - 1)[c]));
+    }
+  }
+  EXPECT_LT(largest, 180);
+}
+
 TEST(Looped, RefusesNoneAndTooMany) {
   const Motion walk = examples::make_walk({.num_frames = 4});
   EXPECT_EQ(refusal_of(looped(walk, 0, 0)), "a motion cannot be played 0 times");

@@ -115,5 +115,26 @@ TEST(Skeleton, CountsAndNames) {
   EXPECT_EQ(channel_name(DofKind::TailScale, 0), "Xscale");
 }
 
+TEST(IsBoneName, IsOneWordThatIsNoNumberAndNoKeyword) {
+  for (const char* name : {"lfemur", "2upper", "Hips", "mixamorig:Hips", "end_1", "infant", "x"}) {
+    EXPECT_TRUE(is_bone_name(name)) << name;
+  }
+  for (const char* name : {"", "a b", "a(b", "a,b", "a#b", ":a", "12", "-1e5", "Root", "END",
+                           "begin", "inf", "-nan", "+Infinity", "a\tb"}) {
+    EXPECT_FALSE(is_bone_name(name)) << name;
+  }
+}
+
+TEST(NumReadersOfColumns, CountsSharedColumnsAndAllSevenOfAFreeJoint) {
+  Skeleton skeleton;
+  skeleton.coordinates.resize(9, {0, "q"});
+  skeleton.joints.resize(2);
+  skeleton.joints[0].dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  skeleton.joints[1].dofs = {{DofKind::Rotation, Vec3::UnitX(), 7, 0},
+                             {DofKind::Rotation, Vec3::UnitY(), 7, 0}};
+  EXPECT_EQ(num_readers_of_columns(skeleton),
+            (std::vector<std::size_t>{1, 1, 1, 1, 1, 1, 1, 2, 0}));
+}
+
 }  // namespace
 }  // namespace kinefile

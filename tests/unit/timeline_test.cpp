@@ -37,5 +37,17 @@ TEST(Timeline, DurationIsOneFrameTimeLessThanTheFrames) {
   EXPECT_EQ(duration(timeline, 5), 2);
 }
 
+TEST(Timeline, TimesThatAreFramesButForRoundingAreThoseFrames) {
+  Timeline timeline;
+  timeline.given = Timeline::Given::FrameRate;
+  timeline.value = 100;
+  EXPECT_EQ(frame_of_time(timeline, 0.07), 7);
+  EXPECT_EQ(frame_of_time(timeline, 0.29), 29);
+  EXPECT_DOUBLE_EQ(frame_of_time(timeline, 0.075), 7.5);
+  timeline = {};
+  timeline.value = 0.0083333;  // cut off from 120 frames a second
+  EXPECT_EQ(frame_of_time(timeline, 1.25), 150);
+}
+
 }  // namespace
 }  // namespace kinefile

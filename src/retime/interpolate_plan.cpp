@@ -12,8 +12,6 @@
 namespace kinefile::retiming {
 namespace {
 
-constexpr std::size_t kFreeColumns = 7;
-
 void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics& diagnostics) {
   diagnostics.add({Severity::Note,
                    "RTM007",

@@ -176,15 +176,23 @@ void parse_root(Parser& parser, AsfFile& file) {
 struct Sections {
   bool root = false;
   bool bones = false;
-  bool hierarchy = false;
+  const char* hierarchy_at = nullptr;  ///< behind the keyword
   std::vector<std::string> seen;
   std::vector<bool> has_parent;
 };
 
+bool is_known(std::string_view section) {
+  constexpr std::array<std::string_view, 8> kSections = {
+      "version", "name", "units", "documentation", "root", "bonedata", "hierarchy", "skin"};
+  return std::any_of(kSections.begin(), kSections.end(), [section](std::string_view known) {
+    return equals_ignoring_case(known, section);
+  });
+}
+
 void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   const std::string_view keyword = parser.lexer.take();
   const std::string_view word = keyword.substr(1);
-  check_once(parser, sections.seen, keyword);
+  if (is_known(word)) check_once(parser, sections.seen, keyword);
   if (equals_ignoring_case(word, "version")) {
     file.version = parser.lexer.take_in_line();
   } else if (equals_ignoring_case(word, "name")) {
@@ -198,10 +206,12 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
     parse_root(parser, file);
   } else if (equals_ignoring_case(word, "bonedata")) {
     sections.bones = true;
+    file.bones.clear();  // of an earlier section: the later one stands
     parse_bones(parser, file);
   } else if (equals_ignoring_case(word, "hierarchy")) {
-    sections.hierarchy = true;
-    sections.has_parent = parse_hierarchy(parser, file);
+    // Read once all bones are known, wherever they stand.
+    sections.hierarchy_at = parser.lexer.position();
+    parser.lexer.take_lines_to_keyword();
   } else if (equals_ignoring_case(word, "skin")) {
     file.skin = take_section_text(parser);
   } else {
@@ -216,20 +226,32 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   }
 }
 
+/// Reads the hierarchy, and sees that nothing stands behind its end.
+void finish_hierarchy(Parser& parser, AsfFile& file, Sections& sections) {
+  if (sections.hierarchy_at == nullptr) return;
+  parser.lexer.move_to(sections.hierarchy_at);
+  sections.has_parent = parse_hierarchy(parser, file);
+  const std::string_view word = parser.lexer.peek();
+  if (word.empty() || is_keyword(word)) return;
+  parser.error(code::kUnexpectedWord,
+               fmt::format("expected a section such as :bonedata, found {}", quoted(word)),
+               word.data());
+}
+
 void check_sections(Parser& parser, const Sections& sections) {
   const char* end = parser.source.end();
   if (!sections.root) parser.error(code::kNoSection, "expected a :root section, found none", end);
   if (!sections.bones) {
     parser.repair(code::kNoSection, "expected a :bonedata section, found none",
                   "the skeleton is the root alone", end);
-  } else if (!sections.hierarchy) {
+  } else if (sections.hierarchy_at == nullptr) {
     parser.error(code::kNoSection, "expected a :hierarchy section, found none", end);
   }
 }
 
 /// A bone that hangs on nothing, or on itself, has no place.
 void check_reachable(Parser& parser, AsfFile& file, const Sections& sections) {
-  if (!sections.hierarchy || parser.diagnostics.has_errors()) return;
+  if (sections.hierarchy_at == nullptr || parser.diagnostics.has_errors()) return;
   std::vector<std::vector<std::size_t>> children(file.bones.size());
   std::vector<std::size_t> waiting;
   std::vector<bool> is_reached(file.bones.size(), false);
@@ -299,6 +321,7 @@ AsfFile parse_asf(const text::Source& source, bool lenient, Diagnostics& diagnos
                  word.data());
     parser.lexer.take_lines_to_keyword();
   }
+  finish_hierarchy(parser, file, sections);
   check_sections(parser, sections);
   check_reachable(parser, file, sections);
   return file;

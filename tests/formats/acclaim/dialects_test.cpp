@@ -170,6 +170,20 @@ TEST(AcclaimDialects, ParentsMayComeBehindTheirChildrenAndTwice) {
   EXPECT_EQ(skeleton.joints[3].parent, 0u);
 }
 
+TEST(AcclaimDialects, TheHierarchyMayStandBeforeTheBones) {
+  std::string text = asf_with("axis 0 0 0 XYZ\ndof rz\n");
+  const std::size_t at = text.find(":hierarchy");
+  const std::string hierarchy = text.substr(at);
+  text = text.substr(0, at);
+  text.insert(text.find(":bonedata"), hierarchy);
+  const ReadText read = read_acclaim("asf", text);
+  ASSERT_TRUE(read.document) << text_of(read.diagnostics);
+  EXPECT_EQ(skeleton_of(*read.document).joints.size(), 2u);
+  const ReadOptions lenient = {.lenient = true};
+  EXPECT_TRUE(
+      read_acclaim("asf", text + text.substr(text.find(":bonedata")), {}, lenient).document);
+}
+
 TEST(AcclaimDialects, ThreeDigitExponentsAndNegativeZero) {
   const Motion motion = amc_motion(kHeader + "1\nroot 0 -0 0 1e-014 0 0\nb -7.65321e-015\n",
                                    asf_with("axis 0 0 0 XYZ\ndof rz\n"));

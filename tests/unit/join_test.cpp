@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
@@ -176,7 +177,7 @@ TEST(Looped, AnglesThatAreWholeTurnsApartAtTheSeamDoNotJump) {
 TEST(Looped, RefusesNoneAndTooMany) {
   const Motion walk = examples::make_walk({.num_frames = 4});
   EXPECT_EQ(refusal_of(looped(walk, 0, 0)), "a motion cannot be played 0 times");
-  EXPECT_EQ(refusal_of(looped(walk, std::size_t{1} << 60, 0)),
+  EXPECT_EQ(refusal_of(looped(walk, std::numeric_limits<std::size_t>::max(), 0)),
             "the motion would have more than 2^30 values");
   EXPECT_EQ(refusal_of(looped(walk, 2, 5)), "5 frames cannot be blended where a motion has 4");
 }

@@ -67,10 +67,11 @@ void print_bone(Writer& writer, const Bone& bone, const std::string& id) {
   writer.line("     direction " + joined(bone.direction));
   writer.line(fmt::format("     length {}", bone.length));
   writer.line(fmt::format("     axis {} {}", joined(bone.axis.angles), spelling(bone.axis.order)));
+  // Before the limits, which a line that starts with a number would go on with.
+  for (const std::string& other : bone.other_lines) writer.line("     " + other);
   print_dofs(writer, bone);
   if (!bone.body_mass.empty()) writer.line("     bodymass " + bone.body_mass);
   if (!bone.cof_mass.empty()) writer.line("     cofmass " + bone.cof_mass);
-  for (const std::string& other : bone.other_lines) writer.line("     " + other);
   writer.line("  end");
 }
 

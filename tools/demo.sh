@@ -39,7 +39,7 @@ say "The same walk as Acclaim's skeleton and motion, and back: every joint in it
 run convert walk.bvh walk.amc --force
 run info walk.amc --quiet
 run convert walk.amc walk_again.bvh --quiet --force
-run diff walk.bvh walk_again.bvh --tolerance 1e-9 | grep -vE "^(only in|tips not)" || true
+run diff walk.bvh walk_again.bvh --tolerance 1e-9 | grep -vE "^(only in|tips not|the motions)" || true
 
 say "Time warping: what frame 150 showed, frame 160 shall show"
 run warp walk.amc --key 150:160 --quiet -o walk_later.amc --force

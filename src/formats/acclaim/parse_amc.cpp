@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <unordered_map>
 
 #include "base/words.hpp"
@@ -267,6 +268,25 @@ void read_bone_line(Body& body, std::string_view name) {
   read_values(body, body.bones[*index], name.data());
 }
 
+/// Reads the line of the bone that comes next in the order of the first frame, if it does: the fast
+/// path of nearly every line.
+bool read_expected_line(Body& body) {
+  if (!body.is_in_frame || body.next >= body.spelled.size()) return false;
+  const std::string_view name = body.spelled[body.next];
+  const char* line = body.parser.lexer.position();
+  const bool is_next = static_cast<std::size_t>(body.end() - line) > name.size() &&
+                       std::memcmp(line, name.data(), name.size()) == 0 &&
+                       text::is_blank(line[name.size()]);
+  const std::size_t bone = body.out.bone_order[body.next];
+  if (!is_next || body.seen_in[bone] == body.frame() + 1) return false;
+  ++body.next;
+  body.seen_in[bone] = body.frame() + 1;
+  ++body.num_seen;
+  body.parser.lexer.move_to(line + name.size());
+  read_values(body, body.bones[bone], line);
+  return true;
+}
+
 std::string_view value_of_hint(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t:");
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
@@ -373,6 +393,7 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
   body.seen_in.assign(bones.size(), 0);
   body.place_of_bone.assign(bones.size(), kNoPlace);
   while (true) {
+    if (read_expected_line(body)) continue;
     const std::string_view word = parser.lexer.take();
     if (word.empty()) break;
     if (word.starts_with(':')) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "text/numbers.hpp"
+
 namespace kinefile::text {
 namespace {
 
@@ -13,13 +15,17 @@ constexpr std::size_t kExcerptBytes = 100;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-std::vector<std::size_t> find_line_starts(std::string_view text) {
-  std::vector<std::size_t> starts{0};
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool lone_cr = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
-    if (text[i] == '\n' || lone_cr) starts.push_back(i + 1);
+/// Adds the starts of lines to those that are known, until one lies beyond an offset; behind the
+/// last line stands one beyond all offsets. So a word about the start of a file costs little.
+void find_line_starts(std::string_view text, std::size_t offset, std::vector<std::size_t>& starts) {
+  if (starts.empty()) starts.push_back(0);
+  while (starts.back() <= offset) {
+    const char* end = std::find_if(text.data() + starts.back(), text.data() + text.size(),
+                                   [](char c) { return is_line_end(c); });
+    const auto at = static_cast<std::size_t>(end - text.data());
+    const bool is_crlf = text.substr(at).starts_with("\r\n");
+    starts.push_back(at == text.size() ? at + 1 : at + (is_crlf ? 2 : 1));
   }
-  return starts;
 }
 
 /// Shows a line, or of a long one the part around a column, cut at the borders of characters.
@@ -47,7 +53,7 @@ void cut_excerpt(std::string_view from_line_start, std::size_t column, Diagnosti
 }  // namespace
 
 std::size_t Source::line_index(std::size_t offset) const {
-  if (line_starts_.empty()) line_starts_ = find_line_starts(text_);
+  find_line_starts(text_, offset, line_starts_);
   const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
   return static_cast<std::size_t>(after - line_starts_.begin()) - 1;
 }
@@ -70,7 +76,7 @@ Diagnostic Source::diagnose(Severity severity, std::string code, std::string mes
 void report(const Source& source, Diagnostics& diagnostics, Severity severity, std::string code,
             std::string message, const char* position) {
   if (diagnostics.is_full(code, severity)) {
-    diagnostics.add({severity, std::move(code), {}, {}, {}, 0});
+    diagnostics.add(severity, std::move(code), {});
   } else {
     diagnostics.add(source.diagnose(severity, std::move(code), std::move(message), position));
   }

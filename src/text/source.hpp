@@ -34,7 +34,7 @@ class Source {
 
   std::string name_;
   std::string_view text_;
-  mutable std::vector<std::size_t> line_starts_;  ///< made when first needed
+  mutable std::vector<std::size_t> line_starts_;  ///< as far as they were needed
 };
 
 /// Adds a diagnostic about a place; where there are too many of its kind, only counts it.

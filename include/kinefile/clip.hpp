@@ -24,4 +24,10 @@ struct Clip {
   }
 };
 
+/// Whether a column has one value in every frame; true without frames, false for NaN.
+bool is_always(const Clip& clip, std::size_t column, double value);
+
+/// A clip of some of another's columns, in the order given.
+Clip with_columns(const Clip& clip, const std::vector<std::size_t>& columns);
+
 }  // namespace kinefile

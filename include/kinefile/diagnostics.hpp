@@ -62,6 +62,8 @@ class Diagnostics {
 
   /// Adds a diagnostic; a warning becomes an error if `warnings_are_errors`.
   void add(Diagnostic diagnostic);
+  /// Adds one that has no place in a text.
+  void add(Severity severity, std::string code, std::string message);
 
   /// In the order in which they were noticed.
   const std::vector<Diagnostic>& items() const { return items_; }

@@ -59,6 +59,10 @@ struct Box {
 /// that are not finite are left out.
 Box world_extent(const Skeleton& skeleton, const Clip& clip);
 
+/// The diagonal of the box around the rest pose: what tolerances of lengths are relative to. 0
+/// where that is not finite.
+double rest_size(const Skeleton& skeleton);
+
 /// The axis that points up: 1 for y, 2 for z. The one along which the joints lie high over the
 /// lowest of them while that stays at one level, as feet on the ground do; told from 64 frames of
 /// the motion, or from the rest pose without frames. In doubt y.

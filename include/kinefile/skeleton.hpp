@@ -16,6 +16,11 @@ inline constexpr std::size_t kNoParent = std::numeric_limits<std::size_t>::max()
 
 enum class AngleUnit { Degrees, Radians };
 
+/// The radians in one unit of an angle.
+constexpr double radians_per(AngleUnit unit) {
+  return unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
+}
+
 enum class DofKind {
   Rotation,         ///< about `axis`
   Translation,      ///< along `axis`
@@ -83,6 +88,9 @@ Vec3 rest_offset(const Joint& joint);
 /// `--positions add` have it: a translation along an axis in which the offset is not zero.
 bool adds_positions(const Skeleton& skeleton);
 
+/// Whether a joint moves freely (`DofKind::Free`), which it then does in no other way.
+bool moves_freely(const Joint& joint);
+
 /// Six for a free joint, one for every other degree of freedom.
 std::size_t num_dofs(const Joint& joint);
 std::size_t num_dofs(const Skeleton& skeleton);
@@ -108,6 +116,9 @@ std::string tip_label(const Joint& joint, std::size_t tip);
 /// Whether a joint's name can be a bone's: one word without blanks, parentheses, commas or #, that
 /// is no number and none of root, begin and end.
 bool is_bone_name(std::string_view name);
+
+/// A name that a bone can have: the same, or one like it.
+std::string as_bone_name(std::string name);
 
 /// The names of the columns, `JOINT.CHANNEL`.
 std::vector<std::string> column_names(const Skeleton& skeleton);

@@ -39,6 +39,10 @@ void Diagnostics::add(Diagnostic diagnostic) {
   }
 }
 
+void Diagnostics::add(Severity severity, std::string code, std::string message) {
+  add(Diagnostic{severity, std::move(code), std::move(message), {}, {}, 0});
+}
+
 bool Diagnostics::is_full(const std::string& code, Severity severity) const {
   const bool is_raised = warnings_are_errors && severity == Severity::Warning;
   return count_of(code, is_raised ? Severity::Error : severity) >= kMaxPerCode;

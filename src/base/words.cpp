@@ -9,19 +9,16 @@ namespace kinefile {
 
 std::string lowered(std::string_view text) {
   std::string copy(text);
-  std::transform(copy.begin(), copy.end(), copy.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  std::transform(copy.begin(), copy.end(), copy.begin(), [](char c) { return lowered(c); });
   return copy;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 5;
+std::string listed(const std::vector<std::string>& names, std::size_t num_names) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i) {
     text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
   }
-  if (names.size() > kMost) text += fmt::format(" and {} more", names.size() - kMost);
+  if (num_names > kMostListed) text += fmt::format(" and {} more", num_names - kMostListed);
   return text;
 }
 

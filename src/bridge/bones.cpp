@@ -18,23 +18,6 @@ Error not_bones(const std::string& message) {
   return make_error(ErrorKind::DataLoss, "BRG003", message);
 }
 
-void tell(Diagnostics& diagnostics, Severity severity, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.code = kNoteCode;
-  diagnostic.message = std::move(message);
-  diagnostics.add(std::move(diagnostic));
-}
-
-/// A name that a bone can have.
-std::string as_bone_name(std::string name) {
-  const auto is_foreign = [](char c) {
-    return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
-  };
-  std::replace_if(name.begin(), name.end(), is_foreign, '_');
-  return is_bone_name(name) ? name : "joint_" + name;
-}
-
 /// What becomes of the values of one column.
 struct NewColumn {
   std::size_t old_column = 0;
@@ -78,14 +61,6 @@ std::size_t add_joint(Builder& builder, std::string name, std::size_t parent, co
   return builder.joints().size() - 1;
 }
 
-/// Whether a translation of a joint that is no root ever leaves its rest value.
-bool is_at_rest(const Clip& clip, const DegreeOfFreedom& dof) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    if (clip.row(f)[dof.coordinate] != dof.rest) return false;
-  }
-  return true;
-}
-
 /// Gives a new joint the degrees of freedom of an old one, which then rest at 0.
 void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root) {
   const Joint& old = builder.motion.skeleton.joints[old_index];
@@ -95,7 +70,7 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
     NewColumn column{dof.coordinate, 0};
     const std::string channel = builder.motion.skeleton.coordinates[dof.coordinate].channel;
     if (dof.kind == DofKind::Translation && !is_root) {
-      const bool rests = is_at_rest(builder.motion.clip, dof);
+      const bool rests = is_always(builder.motion.clip, dof.coordinate, dof.rest);
       has_moved |= !rests;
       has_rested |= rests;
       if (rests) continue;
@@ -164,16 +139,17 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   root.offset = has_frames ? old.offset : rest_offset(old);
   root.rest_rotation = old.rest_rotation;
   if (has_frames && rest_offset(old) != old.offset) {
-    tell(builder.diagnostics, Severity::Note,
-         fmt::format("the root rests at the origin, not where '{}' did", old.name));
+    builder.diagnostics.add(
+        Severity::Note, kNoteCode,
+        fmt::format("the root rests at the origin, not where '{}' did", old.name));
   }
   builder.joints().push_back(std::move(root));
   add_dofs(builder, old_index, 0, true);
   builder.new_of_old.push_back(0);
   Vec3 end = Vec3::Zero();
-  if (lowered(old.name) == "root" && old.name != "root")
-    builder.renamed.push_back(old.name + "' to 'root");
-  if (lowered(old.name) != "root") {
+  if (lowered(old.name) == "root") {
+    if (old.name != "root") builder.renamed.push_back(old.name + "' to 'root");
+  } else {
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
     const std::string name = unique_name(builder, as_bone_name(old.name));
     builder.new_of_old.back() = add_joint(builder, name, 0, end);
@@ -214,7 +190,8 @@ std::optional<Error> obstacle_of(const Motion& motion) {
 std::optional<std::string> scaled_joint(const Motion& motion) {
   for (const Joint& joint : motion.skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::TailScale && !is_at_rest(motion.clip, dof)) return joint.name;
+      if (dof.kind == DofKind::TailScale && !is_always(motion.clip, dof.coordinate, dof.rest))
+        return joint.name;
     }
   }
   return std::nullopt;
@@ -262,8 +239,8 @@ void tell_unread(Builder& builder) {
   const std::vector<std::string> names = column_names(builder.motion.skeleton);
   for (std::size_t c = 0; c < readers.size(); ++c) {
     if (readers[c] > 0) continue;
-    tell(builder.diagnostics, Severity::Warning,
-         fmt::format("column '{}' moves nothing and is left out", names[c]));
+    builder.diagnostics.add(Severity::Warning, kNoteCode,
+                            fmt::format("column '{}' moves nothing and is left out", names[c]));
   }
 }
 
@@ -271,7 +248,7 @@ void tell_changes(Builder& builder) {
   const auto note = [&builder](Severity severity, const std::vector<std::string>& names,
                                std::string_view text) {
     if (names.empty()) return;
-    tell(builder.diagnostics, severity, fmt::format("{}: {}", text, listed(names)));
+    builder.diagnostics.add(severity, kNoteCode, fmt::format("{}: {}", text, listed(names)));
   };
   note(
       Severity::Note, builder.added,

@@ -14,11 +14,7 @@ namespace kinefile {
 namespace {
 
 void warn(Diagnostics& diagnostics, std::string message) {
-  Diagnostic warning;
-  warning.severity = Severity::Warning;
-  warning.code = "BRG006";
-  warning.message = std::move(message);
-  diagnostics.add(std::move(warning));
+  diagnostics.add(Severity::Warning, "BRG006", std::move(message));
 }
 
 /// A joint of one skeleton and that of the other by the same name. Roots belong together.
@@ -110,9 +106,8 @@ Residue move_joint(const Motion& from, const Match& match, double scale, Motion&
 }
 
 bool moves_freely(const Skeleton& skeleton) {
-  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
-    return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
-  });
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
+                     [](const Joint& joint) { return kinefile::moves_freely(joint); });
 }
 
 void tell_unmatched(const Motion& motion, const Skeleton& skeleton,

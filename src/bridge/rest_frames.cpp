@@ -25,13 +25,6 @@ bool moves_along_its_bone(const Joint& joint) {
   });
 }
 
-bool is_always_zero(const Clip& clip, std::size_t column) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    if (clip.row(f)[column] != 0) return false;
-  }
-  return true;
-}
-
 /// Lets the children of a joint move as its tail does.
 void hand_down(Motion& motion, std::size_t joint_index, const DegreeOfFreedom& tail,
                const std::vector<std::size_t>& children) {
@@ -63,8 +56,7 @@ Result<Motion> with_world_aligned_rest(const Motion& motion) {
     world_from_rest.push_back(own);
     is_turned.push_back(has_turned_parent || is_rest_turned);
     if (!is_turned.back()) continue;
-    const bool is_free = !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
-    if (is_free) {
+    if (moves_freely(joint)) {
       return fail(make_error(ErrorKind::DataLoss, "BRG001",
                              fmt::format("joint '{}' moves freely and is turned in its rest pose, "
                                          "so its values cannot stay as they are",
@@ -84,7 +76,7 @@ Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
     if (!moves_along_its_bone(joint)) continue;
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::TailTranslation) continue;
-      const bool is_still = is_always_zero(motion.clip, dof.coordinate);
+      const bool is_still = is_always(motion.clip, dof.coordinate, 0);
       const bool moves_tip = !is_still && !joint.tips.empty() && children[j].empty();
       if (moves_tip) {
         Error error = make_error(
@@ -111,20 +103,13 @@ Motion without_unread_columns(const Motion& motion) {
     if (readers[c] > 0) kept.push_back(c);
   }
   if (kept.size() == readers.size()) return motion;
-  Motion result;
-  result.skeleton = motion.skeleton;
+  Motion result{motion.skeleton, with_columns(motion.clip, kept)};
   result.skeleton.coordinates.clear();
   for (const std::size_t c : kept) {
     result.skeleton.coordinates.push_back(motion.skeleton.coordinates[c]);
   }
   for (Joint& joint : result.skeleton.joints) {
     for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
-  }
-  result.clip.timeline = motion.clip.timeline;
-  result.clip.num_frames = motion.clip.num_frames;
-  result.clip.num_coordinates = kept.size();
-  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
-    for (const std::size_t c : kept) result.clip.values.push_back(motion.clip.row(f)[c]);
   }
   return result;
 }

@@ -58,10 +58,8 @@ struct Context {
 std::optional<double> constant_of(const Clip& clip, std::size_t column, double rest) {
   if (clip.num_frames == 0) return rest;
   const double first = clip.row(0)[column];
-  for (std::size_t f = 1; f < clip.num_frames; ++f) {
-    if (clip.row(f)[column] != first) return std::nullopt;
-  }
-  return std::isfinite(first) ? std::optional(first) : std::nullopt;
+  return std::isfinite(first) && is_always(clip, column, first) ? std::optional(first)
+                                                                : std::nullopt;
 }
 
 void add_column(JointChange& change, NewColumn column, std::string channel,
@@ -274,7 +272,6 @@ Vec3 position_in_row(const JointChange& change, Vec3 base, std::span<const doubl
 void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
                   std::size_t first_column, Clip& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
-  const double radians_per_unit = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
   Vec3 angles = Vec3::Zero();
   Vec3 near = angles;  // the last that were finite
   // What the joint's offset gave up to its positions.
@@ -293,17 +290,13 @@ void fill_columns(const Motion& source, std::size_t joint_index, const JointChan
       if (column.from == NewColumn::From::Column) value = row[column.column];
       if (column.from == NewColumn::From::Constant) value = column.constant;
       if (column.from == NewColumn::From::Angle) {
-        value = angles[static_cast<Eigen::Index>(column.component)] / radians_per_unit;
+        value = angles[static_cast<Eigen::Index>(column.component)] / radians_per(unit);
       }
       if (column.from == NewColumn::From::Position) {
         value = position[static_cast<Eigen::Index>(column.component)];
       }
     }
   }
-}
-
-bool moves_freely(const Joint& joint) {
-  return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
 }
 
 }  // namespace

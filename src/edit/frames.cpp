@@ -150,11 +150,8 @@ Motion scaled(const Motion& motion, double factor) {
 
 Motion with_up_axis(const Motion& motion, std::size_t axis, Diagnostics& diagnostics) {
   if (guess_up_axis(motion) == axis) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = "EDT009";
-    note.message = axis == 2 ? "z points up already" : "y points up already";
-    diagnostics.add(std::move(note));
+    diagnostics.add(Severity::Note, "EDT009",
+                    axis == 2 ? "z points up already" : "y points up already");
     return motion;
   }
   Motion result = motion;

@@ -9,6 +9,7 @@
 #include "edit/skeleton_facts.hpp"
 #include "edit/unwrap.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/kinematics.hpp"
 
 namespace kinefile {
 namespace {

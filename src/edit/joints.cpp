@@ -40,10 +40,8 @@ Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
 std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
   const std::vector<Slide> slides = slides_of(joint);
   if (slides.empty() || clip.num_frames == 0) return rest_offset(joint);
-  for (std::size_t f = 1; f < clip.num_frames; ++f) {
-    for (const Slide& slide : slides) {
-      if (clip.row(f)[slide.column] != clip.row(0)[slide.column]) return std::nullopt;
-    }
+  for (const Slide& slide : slides) {
+    if (!is_always(clip, slide.column, clip.row(0)[slide.column])) return std::nullopt;
   }
   const Vec3 place = position_in_row(joint, slides, clip.row(0));
   return place.allFinite() ? std::optional(place) : std::nullopt;
@@ -56,12 +54,9 @@ void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Jo
     const Joint& child = motion.skeleton.joints[c];
     const auto place = fixed_place(child, motion.clip);
     if (!place) {
-      Diagnostic warning;
-      warning.severity = Severity::Warning;
-      warning.code = "EDT010";
-      warning.message = fmt::format("joint '{}' moves on '{}', which gets a tip where it rests",
-                                    child.name, joint.name);
-      diagnostics.add(std::move(warning));
+      diagnostics.add(Severity::Warning, "EDT010",
+                      fmt::format("joint '{}' moves on '{}', which gets a tip where it rests",
+                                  child.name, joint.name));
     }
     joint.tips.push_back({"", place.value_or(rest_offset(child))});
   }
@@ -100,21 +95,6 @@ std::vector<std::size_t> owners_of_columns(const Skeleton& skeleton,
   return owners;
 }
 
-Clip with_columns(const Clip& clip, const std::vector<std::size_t>& new_columns,
-                  std::size_t num_columns) {
-  Clip result;
-  result.num_frames = clip.num_frames;
-  result.num_coordinates = num_columns;
-  result.timeline = clip.timeline;
-  result.values.resize(clip.num_frames * num_columns);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    for (std::size_t c = 0; c < new_columns.size(); ++c) {
-      if (new_columns[c] != kDropped) result.row(f)[new_columns[c]] = clip.row(f)[c];
-    }
-  }
-  return result;
-}
-
 bool has_joint(const Skeleton& skeleton, const std::string& name) {
   return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
                      [&name](const Joint& joint) { return joint.name == name; });
@@ -147,11 +127,13 @@ Result<Motion> with_joints(const Motion& motion, std::span<const std::string> na
     if (is_bare && joint.tips.empty()) add_tips(motion, children[j], joint, diagnostics);
     result.skeleton.joints.push_back(std::move(joint));
   }
+  std::vector<std::size_t> kept_columns;
   for (std::size_t c = 0; c < owners.size(); ++c) {
     if (owners[c] == kDropped) continue;
+    kept_columns.push_back(c);
     result.skeleton.coordinates.push_back({new_joints[owners[c]], skeleton.coordinates[c].channel});
   }
-  result.clip = with_columns(motion.clip, new_columns, result.skeleton.coordinates.size());
+  result.clip = with_columns(motion.clip, kept_columns);
   return result;
 }
 

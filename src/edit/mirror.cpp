@@ -14,6 +14,7 @@
 #include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinefile/kinematics.hpp"
 
 namespace kinefile {
 namespace {

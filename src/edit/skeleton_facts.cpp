@@ -9,11 +9,6 @@
 
 namespace kinefile {
 
-double rest_size(const Skeleton& skeleton) {
-  const Box box = world_extent(skeleton, rest_clip(skeleton));
-  return (box.max - box.min).allFinite() ? (box.max - box.min).norm() : 0;
-}
-
 double whole_turn(AngleUnit unit) {
   return unit == AngleUnit::Degrees ? 360.0 : 2 * std::numbers::pi;
 }
@@ -65,8 +60,7 @@ double fit_position(const Joint& joint, const std::vector<Slide>& slides, const 
 }
 
 std::optional<std::size_t> free_column(const Joint& joint) {
-  const bool is_free = !joint.dofs.empty() && joint.dofs[0].kind == DofKind::Free;
-  return is_free ? std::optional(joint.dofs[0].coordinate) : std::nullopt;
+  return moves_freely(joint) ? std::optional(joint.dofs[0].coordinate) : std::nullopt;
 }
 
 Quat free_rotation(std::span<const double> row, std::size_t column) {

@@ -10,9 +10,6 @@
 
 namespace kinefile {
 
-/// The diagonal of the box around the rest pose: what tolerances of lengths are relative to.
-double rest_size(const Skeleton& skeleton);
-
 /// A whole turn: 360 degrees or 2 pi.
 double whole_turn(AngleUnit unit);
 

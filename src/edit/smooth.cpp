@@ -86,12 +86,10 @@ std::vector<double> column_of(const Clip& clip, std::size_t column) {
 
 /// Whether some columns have the same value in every frame.
 bool is_constant(const Clip& clip, const std::vector<std::size_t>& columns) {
-  for (std::size_t f = 1; f < clip.num_frames; ++f) {
-    for (const std::size_t c : columns) {
-      if (clip.row(f)[c] != clip.row(0)[c]) return false;
-    }
-  }
-  return true;
+  return clip.num_frames == 0 ||
+         std::all_of(columns.begin(), columns.end(), [&clip](std::size_t column) {
+           return is_always(clip, column, clip.row(0)[column]);
+         });
 }
 
 void smooth_column(const Filter& filter, std::size_t column, Clip& clip) {

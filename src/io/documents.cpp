@@ -96,12 +96,9 @@ Result<void> write_file(const std::string& path, const Document& document, const
   }
   WriteOptions with_companion = options;
   if (!format.companion.empty() && options.writes_companion && path == "-") {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = "FMT003";
-    note.message = fmt::format("the {} file that belongs to it is not written to standard output",
-                               format.companion);
-    diagnostics.add(std::move(note));
+    diagnostics.add(Severity::Note, "FMT003",
+                    fmt::format("the {} file that belongs to it is not written to standard output",
+                                format.companion));
   }
   std::optional<OutputFile> beside;
   std::string beside_path;

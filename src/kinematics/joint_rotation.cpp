@@ -8,10 +8,6 @@
 namespace kinefile {
 namespace {
 
-double radians_per_unit(AngleUnit unit) {
-  return unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
-}
-
 /// The rotation vector of a rotation, in radians.
 Vec3 rotation_vector(const Mat3& rotation) { return 2 * log_of(Quat(rotation)); }
 
@@ -30,7 +26,7 @@ void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3
     for (Eigen::Index d = 0; d < count; ++d) {
       const DegreeOfFreedom& dof = rotations[static_cast<std::size_t>(d)];
       jacobian.col(d) = outer * dof.axis;
-      outer = outer * Eigen::AngleAxisd(row[dof.coordinate] * radians_per_unit(unit), dof.axis);
+      outer = outer * Eigen::AngleAxisd(row[dof.coordinate] * radians_per(unit), dof.axis);
     }
     const Vec3 error = rotation_vector(rotation * outer.transpose());
     const Eigen::VectorXd change =
@@ -38,7 +34,7 @@ void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3
             .ldlt()
             .solve(jacobian.transpose() * error);
     for (Eigen::Index d = 0; d < count; ++d) {
-      row[rotations[static_cast<std::size_t>(d)].coordinate] += change[d] / radians_per_unit(unit);
+      row[rotations[static_cast<std::size_t>(d)].coordinate] += change[d] / radians_per(unit);
     }
     if (!(change.norm() > kSmallStep)) return;
   }
@@ -83,11 +79,11 @@ double fit_rotation(const std::vector<DegreeOfFreedom>& rotations, const Mat3& r
   if (const auto axes = euler_axes_of(rotations)) {
     Vec3 near;
     for (std::size_t k = 0; k < 3; ++k) {
-      near[static_cast<Eigen::Index>(k)] = row[rotations[k].coordinate] * radians_per_unit(unit);
+      near[static_cast<Eigen::Index>(k)] = row[rotations[k].coordinate] * radians_per(unit);
     }
     const Vec3 angles = euler_angles(rotation, *axes, near);
     for (std::size_t k = 0; k < 3; ++k) {
-      row[rotations[k].coordinate] = angles[static_cast<Eigen::Index>(k)] / radians_per_unit(unit);
+      row[rotations[k].coordinate] = angles[static_cast<Eigen::Index>(k)] / radians_per(unit);
     }
   } else if (!rotations.empty()) {
     fit_least_squares(rotations, rotation, unit, row);

@@ -69,4 +69,9 @@ Box world_extent(const Skeleton& skeleton, const Clip& clip) {
   return box;
 }
 
+double rest_size(const Skeleton& skeleton) {
+  const Box box = world_extent(skeleton, rest_clip(skeleton));
+  return (box.max - box.min).allFinite() ? (box.max - box.min).norm() : 0;
+}
+
 }  // namespace kinefile

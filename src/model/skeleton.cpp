@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-9;
 
+/// Whether a character cannot be part of a bone's name.
+bool ends_word(char c) {
+  return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
+}
+
 std::size_t num_coordinates(const DegreeOfFreedom& dof) {
   return dof.kind == DofKind::Free ? 7 : 1;
 }
@@ -103,6 +108,10 @@ bool adds_positions(const Skeleton& skeleton) {
   return false;
 }
 
+bool moves_freely(const Joint& joint) {
+  return !joint.dofs.empty() && joint.dofs.front().kind == DofKind::Free;
+}
+
 std::size_t num_dofs(const Joint& joint) {
   std::size_t count = 0;
   for (const DegreeOfFreedom& dof : joint.dofs) count += dof.kind == DofKind::Free ? 6 : 1;
@@ -137,16 +146,18 @@ std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton) {
 bool is_bone_name(std::string_view name) {
   constexpr std::array<std::string_view, 6> kTaken = {"root", "begin",    "end",
                                                       "inf",  "infinity", "nan"};
-  const auto is_foreign = [](char c) {
-    return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
-  };
-  if (name.empty() || name.front() == ':' || std::any_of(name.begin(), name.end(), is_foreign)) {
+  if (name.empty() || name.front() == ':' || std::any_of(name.begin(), name.end(), ends_word)) {
     return false;
   }
   if (name.find_first_not_of("0123456789+-.eE") == std::string_view::npos) return false;
   const bool has_sign = name.front() == '+' || name.front() == '-';
   const std::string word = lowered(name.substr(has_sign ? 1 : 0));
   return std::find(kTaken.begin(), kTaken.end(), word) == kTaken.end();
+}
+
+std::string as_bone_name(std::string name) {
+  std::replace_if(name.begin(), name.end(), ends_word, '_');
+  return is_bone_name(name) ? name : "joint_" + name;
 }
 
 std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton) {

@@ -73,8 +73,7 @@ Motion with_frames(const Motion& motion, const std::vector<std::size_t>& frames)
 double length_scale(const Motion& motion, const Motion& other) {
   const bool has_units = motion.skeleton.metres_per_unit > 0 && other.skeleton.metres_per_unit > 0;
   if (has_units) return motion.skeleton.metres_per_unit;
-  const Box box = world_extent(motion.skeleton, rest_clip(motion.skeleton));
-  const double size = (box.max - box.min).norm();
+  const double size = rest_size(motion.skeleton);
   return size > 0 && std::isfinite(size) ? 1 / size : 1;
 }
 

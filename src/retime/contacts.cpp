@@ -23,20 +23,17 @@ double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& di
   const Box box = world_extent(skeleton, rest_clip(skeleton));
   const auto axis = static_cast<Eigen::Index>(up);
   const double height = box.max[axis] - box.min[axis];
-  Diagnostic note;
-  note.severity = Severity::Note;
-  note.code = "RTM006";
   if (!(height > 0)) {
-    note.message =
-        "the motion has no unit of length, and its rest pose no height; its unit is taken to be "
-        "the metre";
-    diagnostics.add(std::move(note));
+    diagnostics.add(Severity::Note, "RTM006",
+                    "the motion has no unit of length, and its rest pose no height; its unit is "
+                    "taken to be the metre");
     return 1;
   }
-  note.message = fmt::format(
-      "the motion has no unit of length; its rest pose, {:.6g} units high, is taken to be {} m",
-      height, kPersonHeight);
-  diagnostics.add(std::move(note));
+  diagnostics.add(
+      Severity::Note, "RTM006",
+      fmt::format(
+          "the motion has no unit of length; its rest pose, {:.6g} units high, is taken to be {} m",
+          height, kPersonHeight));
   return kPersonHeight / height;
 }
 

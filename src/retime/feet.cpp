@@ -5,20 +5,14 @@
 #include <cmath>
 #include <string>
 
+#include "base/words.hpp"
 #include "kinefile/kinematics.hpp"
 
 namespace kinefile::retiming {
 namespace {
 
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 bool is_called_foot(const std::string& name) {
-  const std::string lower = lower_case(name);
+  const std::string lower = lowered(name);
   const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
   const bool is_ball = has("ball") && !has("eye");
   return has("foot") || has("toe") || has("ankle") || is_ball || has("\u8db3");

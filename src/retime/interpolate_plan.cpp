@@ -13,13 +13,9 @@ namespace kinefile::retiming {
 namespace {
 
 void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics& diagnostics) {
-  diagnostics.add({Severity::Note,
-                   "RTM007",
-                   fmt::format("joint '{}' {}, so its rotation is interpolated number by number",
-                               joint.name, reason),
-                   {},
-                   {},
-                   0});
+  diagnostics.add(Severity::Note, "RTM007",
+                  fmt::format("joint '{}' {}, so its rotation is interpolated number by number",
+                              joint.name, reason));
 }
 
 void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_t>& readers,

@@ -19,7 +19,8 @@ tl::unexpected<Error> refuse(std::string message) {
 Result<std::size_t> count_frames(double end) {
   const double last = std::ceil(retiming::without_rounding(end));
   if (!(last < retiming::kMostFrames)) {
-    return refuse(fmt::format("expected at most 134217728 new frames, found {}", end));
+    return refuse(
+        fmt::format("expected at most {} new frames, found {}", retiming::kMostFrames, end));
   }
   return static_cast<std::size_t>(last) + 1;
 }

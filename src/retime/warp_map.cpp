@@ -155,8 +155,8 @@ Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double
   const double end = last.x + (tail.end_old - last.y) * tail.run / tail.rise;
   tail.end = retiming::without_rounding(end);
   if (!(tail.end < retiming::kMostFrames)) {
-    return refuse(
-        fmt::format("expected at most 134217728 new frames, found keys that give {}", end));
+    return refuse(fmt::format("expected at most {} new frames, found keys that give {}",
+                              retiming::kMostFrames, end));
   }
   return tail;
 }
@@ -257,7 +257,8 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
 
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
   if (static_cast<double>(num_frames) > retiming::kMostFrames) {
-    return refuse(fmt::format("expected at most 134217728 frames, found {}", num_frames));
+    return refuse(
+        fmt::format("expected at most {} frames, found {}", retiming::kMostFrames, num_frames));
   }
   if (num_frames == 0) {
     if (options.keys.empty()) return TimeMap{};

@@ -199,8 +199,13 @@ HWY_INLINE void load_ends(const Quaternions& quaternions, const Between* places,
   }
 }
 
-HWY_INLINE void load_times(const Between* places, Row& t) {
+/// Loads a block of places, with both ends on the side of the first; `sides` is what that took.
+HWY_INLINE void load_near(const Quaternions& quaternions, const Between* places, Ends& ends,
+                          Row& sides, Row& t) {
+  load_ends(quaternions, places, ends);
   for (std::size_t i = 0; i < kBlock; ++i) t.v[i] = places[i].t;
+  find_sides(ends.from, ends.to, sides);
+  scale(sides, ends.to);
 }
 
 /// Along the great circle from one end to the other, whatever their sides.
@@ -238,10 +243,7 @@ void slerp_block(const Quaternions& quaternions, const Between* places, std::siz
   Ends ends;
   Row sides, t;
   QuaternionRows q;
-  load_ends(quaternions, places, ends);
-  load_times(places, t);
-  find_sides(ends.from, ends.to, sides);
-  scale(sides, ends.to);
+  load_near(quaternions, places, ends, sides, t);
   slerp_one_way(ends, t, q);
   store(q, first, out);
 }
@@ -251,11 +253,8 @@ void squad_block(const Quaternions& quaternions, const Quaternions& controls, co
   Ends ends, inner_ends, middle;
   Row sides, t, inwards;
   QuaternionRows q;
-  load_ends(quaternions, places, ends);
+  load_near(quaternions, places, ends, sides, t);
   load_ends(controls, places, inner_ends);
-  load_times(places, t);
-  find_sides(ends.from, ends.to, sides);
-  scale(sides, ends.to);
   scale(sides, inner_ends.to);  // a control point goes with its quaternion
   slerp_one_way(ends, t, middle.from);
   slerp_one_way(inner_ends, t, middle.to);
@@ -333,10 +332,7 @@ void nlerp_block(const Quaternions& quaternions, const Between* places, std::siz
   Ends ends;
   Row sides, t;
   QuaternionRows q;
-  load_ends(quaternions, places, ends);
-  load_times(places, t);
-  find_sides(ends.from, ends.to, sides);
-  scale(sides, ends.to);
+  load_near(quaternions, places, ends, sides, t);
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t i = 0; i < kBlock; ++i) {
       q[k].v[i] = (1 - t.v[i]) * ends.from[k].v[i] + t.v[i] * ends.to[k].v[i];

@@ -17,6 +17,8 @@ struct DecodedText {
   bool has_bom = false;
 
   std::string_view view() const { return storage.empty() ? passed_through : storage; }
+  /// The encoding in words: "utf-8 with BOM".
+  std::string description() const { return encoding + (has_bom ? " with BOM" : ""); }
 };
 
 /// Decodes bytes to UTF-8 without a byte order mark.

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::text {
 namespace {
 
 constexpr bool is_brace(char c) { return c == '{' || c == '}'; }
-
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
 std::string_view view_of(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
@@ -85,10 +84,15 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
   return a.size() == b.size() && starts_with_ignoring_case(a, b);
 }
 
+bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [word](std::string_view known) { return equals_ignoring_case(known, word); });
+}
+
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
   if (text.size() < prefix.size()) return false;
   return std::equal(prefix.begin(), prefix.end(), text.begin(),
-                    [](char a, char b) { return lower(a) == lower(b); });
+                    [](char a, char b) { return lowered(a) == lowered(b); });
 }
 
 }  // namespace kinefile::text

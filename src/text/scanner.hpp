@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,9 @@ class Scanner {
 
 /// Whether two words are equal but for the case of ASCII letters.
 bool equals_ignoring_case(std::string_view a, std::string_view b);
+
+/// Whether a word is one of some, but for the case of ASCII letters.
+bool is_one_of(std::string_view word, std::span<const std::string_view> words);
 
 /// Whether a text starts with a word, ignoring the case of ASCII letters.
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);

@@ -9,7 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
-#include "formats/reading.hpp"
+#include "formats/files.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
 
@@ -22,13 +22,8 @@ constexpr double kUsualRate = 120;
 bool probe(std::string_view head) {
   constexpr std::array<std::string_view, 4> kKeywords = {":fully-specified", ":degrees", ":radians",
                                                          ":force-all-joints-be-3dof"};
-  if (text::starts_with_ignoring_case(head, "#!OML:ASF")) return true;
-  Lexer lexer(head);
-  const std::string_view word = lexer.take();
-  for (const std::string_view keyword : kKeywords) {
-    if (text::equals_ignoring_case(word, keyword)) return true;
-  }
-  return false;
+  return text::starts_with_ignoring_case(head, "#!OML:ASF") ||
+         text::is_one_of(Lexer(head).take(), kKeywords);
 }
 
 /// The skeleton of a motion, as its file has it.
@@ -41,7 +36,7 @@ struct Found {
 /// The file that a skeleton was read from, which was read before.
 Result<Found> skeleton_of_options(const ReadOptions& options, Diagnostics& diagnostics) {
   const Document& document = *options.skeleton;
-  const std::string name = options.skeleton_name;
+  const std::string& name = options.skeleton_name;
   const auto refuse = [&](const std::string& why) {
     Error error = make_error(ErrorKind::Usage, code::kOtherSkeleton,
                              fmt::format("expected an ASF skeleton, found {}", why), name);
@@ -111,10 +106,7 @@ void keep_words(Document& document, const AmcHeader& header, const AmcBody& body
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) {
-    diagnostics.add(decoded.error());
-    return fail(std::move(decoded.error()));
-  }
+  if (!decoded) return fail(std::move(decoded.error()));
   const text::Source source(options.source_name, decoded->view());
   Parser parser{source, options.lenient, diagnostics, Lexer(source.text())};
   const AmcHeader header = parse_amc_header(parser);
@@ -138,7 +130,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   document.format = "amc";
   document.extras = extras_of(found->file);
   document.extras.file["skeleton"] = found->name;
-  document.extras.file["encoding"] = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  document.extras.file["encoding"] = decoded->description();
   document.extras.file["line_end"] = text::line_end_of(decoded->view());
   keep_words(document, header, body, bones, options);
   document.content = std::move(motion);
@@ -177,11 +169,9 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   }
   auto unbound = unbind(motion->skeleton, document.extras);
   if (!unbound) return fail(std::move(unbound.error()));
-  const auto kept = document.extras.file.find("line_end");
-  const bool is_crlf = kept != document.extras.file.end() && kept->second == "crlf";
   text::Printer printer(sink, options.decimals);
   print_amc(printer, *unbound, heading_of(document, *motion, options), motion->clip,
-            is_crlf ? "\r\n" : "\n");
+            kept_line_end(document.extras));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
 }

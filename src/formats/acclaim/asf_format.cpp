@@ -9,7 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
-#include "formats/reading.hpp"
+#include "formats/files.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
 
@@ -21,22 +21,16 @@ constexpr std::array<std::string_view, 2> kExtensions = {".asf", ".ast"};
 bool probe(std::string_view head) {
   constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",
                                                          ":bonedata"};
-  Lexer lexer(head);
-  const std::string_view word = lexer.take();
-  for (const std::string_view section : kSections) {
-    if (text::equals_ignoring_case(word, section)) return true;
-  }
-  return false;
+  return text::is_one_of(Lexer(head).take(), kSections);
 }
 
 /// Says what lengths are taken to be, since no file says it.
 void note_unit(double length, const text::Source& source, Diagnostics& diagnostics) {
-  diagnostics.add(source.diagnose(
-      Severity::Note, code::kUnitAssumed,
-      fmt::format("lengths divided by {} are taken as inches, which makes a unit {} m; --unit-in "
-                  "says otherwise",
-                  length, kMetresPerInch / length),
-      source.text().data()));
+  text::report(source, diagnostics, Severity::Note, code::kUnitAssumed,
+               fmt::format("lengths divided by {} are taken as inches, which makes a unit {} m; "
+                           "--unit-in says otherwise",
+                           length, kMetresPerInch / length),
+               source.text().data());
 }
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
@@ -63,18 +57,13 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   const bool loses_motion =
       std::holds_alternative<Motion>(document.content) && !options.is_companion;
   if (loses_motion) {
-    Diagnostic warning;
-    warning.severity = Severity::Warning;
-    warning.code = code::kMotionLeftOut;
-    warning.message = "ASF holds the skeleton alone; the motion is left out, which AMC holds";
-    diagnostics.add(std::move(warning));
+    diagnostics.add(Severity::Warning, code::kMotionLeftOut,
+                    "ASF holds the skeleton alone; the motion is left out, which AMC holds");
   }
   auto unbound = unbind(skeleton_of(document), document.extras);
   if (!unbound) return fail(std::move(unbound.error()));
-  const auto kept = document.extras.file.find("line_end");
-  const bool is_crlf = kept != document.extras.file.end() && kept->second == "crlf";
   text::Printer printer(sink, options.decimals);
-  print_asf(printer, unbound->file, is_crlf ? "\r\n" : "\n");
+  print_asf(printer, unbound->file, kept_line_end(document.extras));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
 }
@@ -84,15 +73,12 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& options,
                                    Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) {
-    diagnostics.add(decoded.error());
-    return fail(std::move(decoded.error()));
-  }
+  if (!decoded) return fail(std::move(decoded.error()));
   const text::Source source(options.source_name, decoded->view());
   ReadSkeleton skeleton;
   skeleton.file = parse_asf(source, options.lenient, diagnostics);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  skeleton.encoding = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  skeleton.encoding = decoded->description();
   skeleton.line_end = text::line_end_of(decoded->view());
   // Without a unit in the file there is nothing to assume anything from.
   const auto& length = skeleton.file.length;

@@ -145,10 +145,10 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
     joint.name = bone.name;
     joint.parent = bone.parent == kNoParent ? 0 : joint_of_bone[bone.parent];
     if (bone.parent != kNoParent) joint.offset = end_of(file.bones[bone.parent]);
-    joint.tips.push_back({"", end_of(bone)});
+    const Vec3 end = end_of(bone);
+    joint.tips.push_back({"", end});
     skeleton.joints.push_back(std::move(joint));
     const Mat3 axes = rotation_of(bone.axis, unit);
-    const Vec3 end = end_of(bone);
     const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();
     const bool is_forced = options.forces_3dof && !bone.dofs.empty();
     add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, axes, axes, along);

@@ -52,18 +52,17 @@ struct Body {
 };
 
 void report_missing(Body& body) {
-  std::string names;
+  std::vector<std::string> names;
   std::size_t count = 0;
   for (std::size_t b = 0; b < body.bones.size(); ++b) {
     if (body.seen_in[b] == body.frame() + 1) continue;
-    if (++count <= 5) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.bones[b].name);
+    if (++count <= kMostListed) names.push_back(body.bones[b].name);
   }
-  if (count > 5) names += fmt::format(" and {} more", count - 5);
-  body.parser.warn(
-      code::kMissingBone,
-      fmt::format("expected all bones in frame {}, found none of {}; {}", body.number, names,
-                  body.frame() == 0 ? "they rest at 0" : "they hold their values"),
-      body.number_at);
+  body.parser.warn(code::kMissingBone,
+                   fmt::format("expected all bones in frame {}, found none of {}; {}", body.number,
+                               listed(names, count),
+                               body.frame() == 0 ? "they rest at 0" : "they hold their values"),
+                   body.number_at);
 }
 
 /// Whether there is room for another frame: bones that hold their values take no bytes of the file,
@@ -147,7 +146,7 @@ std::optional<std::size_t> find_bone(Body& body, std::string_view name) {
 }
 
 /// Reads a value that the row reader left, with a diagnostic where it is none.
-std::optional<double> parse_value(Parser& parser, std::string_view token, const std::string& what) {
+std::optional<double> parse_value(Parser& parser, std::string_view token) {
   const text::Number number = text::parse_number(token);
   if (number.fault == text::NumberFault::None && !std::isfinite(number.value)) {
     parser.warn(code::kNotFinite,
@@ -158,8 +157,8 @@ std::optional<double> parse_value(Parser& parser, std::string_view token, const 
   if (number.fault == text::NumberFault::None) return number.value;
   const bool is_huge = number.fault == text::NumberFault::OutOfRange;
   parser.error(code::kBadValue,
-               fmt::format("expected {}{}, found {}", what,
-                           is_huge ? " that a double can hold" : "", quoted(token)),
+               fmt::format("expected a value{}, found {}", is_huge ? " that a double can hold" : "",
+                           quoted(token)),
                token.data());
   return std::nullopt;
 }
@@ -198,7 +197,7 @@ void read_odd_values(Body& body, const BoneColumns& bone, std::size_t num_read, 
       continue;
     }
     lexer.take_in_line();
-    const auto value = parse_value(body.parser, token, "a value");
+    const auto value = parse_value(body.parser, token);
     if (!value) {
       lexer.take_line();
       return;
@@ -323,7 +322,6 @@ void parse_rate(Parser& parser, AmcHeader& header) {
 void parse_keyword(Parser& parser, AmcHeader& header) {
   const std::string_view keyword = parser.lexer.take();
   const std::string_view word = keyword.substr(1);
-  const char* after = parser.lexer.position();
   if (equals_ignoring_case(word, "DEGREES")) {
     set_angle(parser, header, AngleUnit::Degrees, keyword.data());
   } else if (equals_ignoring_case(word, "RADIANS")) {
@@ -347,7 +345,6 @@ void parse_keyword(Parser& parser, AmcHeader& header) {
                 keyword.data());
     return;
   }
-  parser.lexer.move_to(std::max(after, parser.lexer.position()));
   parser.lexer.take_line();
 }
 

@@ -184,9 +184,7 @@ struct Sections {
 bool is_known(std::string_view section) {
   constexpr std::array<std::string_view, 8> kSections = {
       "version", "name", "units", "documentation", "root", "bonedata", "hierarchy", "skin"};
-  return std::any_of(kSections.begin(), kSections.end(), [section](std::string_view known) {
-    return equals_ignoring_case(known, section);
-  });
+  return text::is_one_of(section, kSections);
 }
 
 void parse_section(Parser& parser, AsfFile& file, Sections& sections) {

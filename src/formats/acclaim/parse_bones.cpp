@@ -61,8 +61,7 @@ void parse_limits(Parser& parser, Bone& bone) {
 bool is_bone_word(std::string_view word) {
   constexpr std::array<std::string_view, 9> kWords = {
       "id", "name", "direction", "length", "axis", "dof", "limits", "bodymass", "cofmass"};
-  return std::any_of(kWords.begin(), kWords.end(),
-                     [word](std::string_view known) { return equals_ignoring_case(known, word); });
+  return text::is_one_of(word, kWords);
 }
 
 /// Reads one line of a bone. Returns false at `end`, or where the bone cannot go on.

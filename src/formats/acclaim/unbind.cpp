@@ -124,7 +124,7 @@ std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
 
 Orientation orientation_of(const Mat3& rotation, AngleUnit unit) {
   const Vec3 angles = euler_angles(rotation, {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()});
-  const double scale = unit == AngleUnit::Degrees ? kRadiansPerDegree : 1.0;
+  const double scale = radians_per(unit);
   return {{angles[2] / scale, angles[1] / scale, angles[0] / scale}, {0, 1, 2}};
 }
 

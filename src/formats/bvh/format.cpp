@@ -9,7 +9,7 @@
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
 #include "formats/bvh/print.hpp"
-#include "formats/reading.hpp"
+#include "formats/files.hpp"
 #include "text/decode.hpp"
 
 namespace kinefile::bvh {
@@ -53,10 +53,7 @@ PositionMode settle_positions(const File& file, const text::Source& source, Posi
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) {
-    diagnostics.add(decoded.error());
-    return fail(std::move(decoded.error()));
-  }
+  if (!decoded) return fail(std::move(decoded.error()));
   std::string_view view = decoded->view();
   // The end-of-file character of CP/M and DOS, and line ends behind it.
   const std::size_t last = view.find_last_not_of("\r\n \t\x1A");
@@ -70,7 +67,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   const PositionMode mode = settle_positions(file, source, options.positions, diagnostics);
   Document document;
   document.format = "bvh";
-  document.extras.file["encoding"] = decoded->encoding + (decoded->has_bom ? " with BOM" : "");
+  document.extras.file["encoding"] = decoded->description();
   document.extras.file["line_end"] = text::line_end_of(view);
   document.extras.file["positions"] = mode == PositionMode::Add ? "add" : "replace";
   Motion motion = bind(std::move(file), mode);
@@ -95,17 +92,12 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
   if (adds_positions(skeleton)) {
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = code::kPositionsAdded;
-    note.message =
-        "position values are written as they are, to be added to OFFSET; read the file "
-        "with --positions add";
-    diagnostics.add(std::move(note));
+    diagnostics.add(Severity::Note, code::kPositionsAdded,
+                    "position values are written as they are, to be added to OFFSET; read the "
+                    "file with --positions add");
   }
-  const auto kept = document.extras.file.find("line_end");
-  const bool is_ours = document.format == "bvh" && kept != document.extras.file.end();
-  const std::string_view line_end = is_ours && kept->second == "crlf" ? "\r\n" : "\n";
+  const std::string_view line_end =
+      document.format == "bvh" ? kept_line_end(document.extras) : "\n";
   text::Printer printer(sink, options.decimals);
   print_hierarchy(printer, unbound->file, line_end);
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {

@@ -16,10 +16,18 @@ Result<Document> read_with_own_diagnostics(const Read& read_alone, std::string_v
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
   Result<Document> document = read_alone(bytes, options, own);
+  // What ended the reading may be a fault of the bytes as such, which nobody noted.
+  if (!document && !own.has_errors()) own.add(document.error());
   // A warning may have become an error after the last look at them.
   if (document && own.has_errors()) document = fail(own.first_error());
   diagnostics.append(std::move(own));
   return document;
+}
+
+/// The line end that a document's file had, "\n" or "\r\n"; "\n" where nothing is kept of it.
+inline std::string_view kept_line_end(const Extras& extras) {
+  const auto kept = extras.file.find("line_end");
+  return kept != extras.file.end() && kept->second == "crlf" ? "\r\n" : "\n";
 }
 
 }  // namespace kinefile

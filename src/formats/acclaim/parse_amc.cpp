@@ -291,9 +291,17 @@ std::string_view value_of_hint(std::string_view line) {
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
 }
 
+/// Keeps a line. A zero character becomes U+FFFD: written at the start of a file, it would make it
+/// look like UTF-16.
 void append_line(std::string& lines, std::string_view line) {
   if (!lines.empty()) lines += '\n';
-  lines += line;
+  for (const char c : line) {
+    if (c == '\0') {
+      lines += "\uFFFD";
+    } else {
+      lines += c;
+    }
+  }
 }
 
 void set_angle(Parser& parser, AmcHeader& header, AngleUnit unit, const char* at) {

@@ -20,14 +20,16 @@ struct Writer {
     printer.print(text);
     printer.print(line_end);
   }
-  /// Lines that were kept as they stood, whatever ended them.
+  /// Lines that were kept as they stood, whatever separates them.
   void lines(std::string_view text) {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
       line(text.substr(0, end));
+      const bool is_last = end == text.size();
       text.remove_prefix(end);
       if (text.starts_with('\r')) text.remove_prefix(1);
       if (text.starts_with('\n')) text.remove_prefix(1);
+      if (text.empty() && !is_last) line({});  // an empty one
     }
   }
 };

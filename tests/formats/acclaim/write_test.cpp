@@ -58,6 +58,23 @@ TEST(AcclaimWrite, KeepsWhatTheFileSaid) {
   EXPECT_EQ(write_to_string(again, "amc"), amc);
 }
 
+TEST(AcclaimWrite, EmptyLinesOfAKeptSectionStay) {
+  const std::string skeleton = asf_with("axis 0 0 0 XYZ\ndof rx rz\n") + ":colour\n  red\n\n\n";
+  const Document document = read_document(kFrames, skeleton);
+  const std::string asf = write_to_string(document, "asf");
+  EXPECT_TRUE(asf.ends_with(":colour\n  red\n\n\n")) << asf;
+  EXPECT_EQ(write_to_string(read_document(kFrames, asf), "asf"), asf);
+}
+
+TEST(AcclaimWrite, AZeroInACommentDoesNotMakeItUtf16) {
+  using namespace std::string_literals;
+  const std::string skeleton = asf_with("axis 0 0 0 XYZ\ndof rx rz\n");
+  const Document document = read_document("  \n#\0a\0\n"s + kFrames, skeleton);
+  const std::string amc = write_to_string(document, "amc");
+  EXPECT_TRUE(amc.starts_with("#\uFFFDa\uFFFD\n")) << amc;
+  EXPECT_EQ(write_to_string(read_document(amc, skeleton), "amc"), amc);
+}
+
 TEST(AcclaimWrite, AnAssumedRateIsNotPutIntoTheFilesMouth) {
   Document document = read_document(kFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
   EXPECT_EQ(write_to_string(document, "amc").find("SAMPLES"), std::string::npos);

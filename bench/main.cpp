@@ -272,7 +272,7 @@ int run(int argc, char** argv) {
   print_ratio(reporter, "reading a file, against a bare fast_float loop", "read/kinefile",
               "read/bare_fast_float_loop");
   print_ratio(reporter, "reading a file, against ifstream >>", "read/kinefile", "read/ifstream");
-  print_ratio(reporter, "reading AMC, against a bare fast_float loop over its bytes",
+  print_ratio(reporter, "reading AMC, against a bare fast_float loop",
               "read_amc/kinefile", "read_amc/bare_fast_float_loop");
   print_ratio(reporter, "forward kinematics, against a plain Eigen loop", "fk/kinefile",
               "fk/eigen_per_frame");

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "kinefile/body_motion.hpp"
 #include "kinefile/motion.hpp"
 
 namespace kinefile {
@@ -18,15 +19,18 @@ struct Extras {
 
 /// The content of a file: one of the kinds of the model.
 struct Document {
-  std::variant<Motion, Skeleton> content;
+  std::variant<Motion, Skeleton, BodyMotion> content;
   std::string format;  ///< the name of the format that it was read from, "bvh"
   Extras extras;
 };
 
-/// The word for what a document holds: "motion" or "skeleton".
+/// The word for what a document holds: "motion", "skeleton" or "body_motion".
 std::string_view kind_name(const Document& document);
 
-/// The skeleton of a motion, or the skeleton itself.
+/// The skeleton of a motion, or the skeleton itself. A body motion has none: a precondition.
 const Skeleton& skeleton_of(const Document& document);
+
+/// Whether a document has a skeleton: a motion or a skeleton alone.
+bool has_skeleton(const Document& document);
 
 }  // namespace kinefile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -35,7 +36,11 @@ struct DegreeOfFreedom {
   DofKind kind = DofKind::Rotation;
   Vec3 axis = Vec3::UnitX();   ///< unit length, in the joint's frame
   std::size_t coordinate = 0;  ///< the column of the clip that it reads
-  double rest = 0;             ///< its value in the rest pose (`Free` rests at 0 0 0 1 0 0 0)
+  double rest = 0;             ///< its value in the rest pose (of `Free`: `Joint::free_rest`)
+  /// What the robot or the figure can do, in the coordinate's unit; infinite where nothing is said.
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double max_speed = std::numeric_limits<double>::infinity();  ///< a second
 };
 
 /// A named point that is fixed in its joint: a BVH End Site, the end of an ASF bone.
@@ -53,6 +58,7 @@ struct Joint {
   Quat rest_rotation = Quat::Identity();
   std::vector<DegreeOfFreedom> dofs;  ///< in the order of multiplication
   std::vector<Tip> tips;
+  std::array<double, 7> free_rest = {0, 0, 0, 1, 0, 0, 0};  ///< where it rests if it moves freely
 };
 
 /// What one column of a clip is called: the channel of a joint in the words of its format

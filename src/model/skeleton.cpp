@@ -82,7 +82,8 @@ std::vector<double> rest_coordinates(const Skeleton& skeleton) {
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind == DofKind::Free) {
-        values[dof.coordinate + 3] = 1;
+        std::copy(joint.free_rest.begin(), joint.free_rest.end(),
+                  values.begin() + static_cast<std::ptrdiff_t>(dof.coordinate));
       } else {
         values[dof.coordinate] = dof.rest;
       }

@@ -15,7 +15,13 @@
 namespace kinefile::text {
 namespace {
 
-constexpr bool is_token_end(char c) { return is_blank(c) || is_line_end(c); }
+/// What a number of a row ends at, and one of a list.
+struct Space {
+  static constexpr bool has(char c) { return is_blank(c) || is_line_end(c); }
+};
+struct SpaceOrSeparator {
+  static constexpr bool has(char c) { return c == ',' || c == ']' || Space::has(c); }
+};
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -33,6 +39,7 @@ constexpr std::ptrdiff_t kFastBytes = 34;
 /// exactly, so that one division rounds it correctly (Clinger, "How to Read Floating Point Numbers
 /// Accurately", 1990). Null for any other token.
 /// Precondition: kFastBytes bytes can be read.
+template <class TokenEnd>
 inline const char* parse_short_decimal(const char* p, double& value) {
   constexpr std::ptrdiff_t kMostDigits = 15;
   const bool is_negative = *p == '-';
@@ -52,7 +59,7 @@ inline const char* parse_short_decimal(const char* p, double& value) {
     num_decimals = num_digits <= kMostDigits ? take_digits() : 0;
     num_digits += num_decimals;
   }
-  if (!is_token_end(*p) || num_digits == 0 || num_digits > kMostDigits) return nullptr;
+  if (!TokenEnd::has(*p) || num_digits == 0 || num_digits > kMostDigits) return nullptr;
   // The sign by a product and not by a branch, since signs cannot be foreseen.
   constexpr double kSigns[] = {1, -1};
   value = static_cast<double>(number) / kPowersOfTen[num_decimals] * kSigns[is_negative];
@@ -61,14 +68,15 @@ inline const char* parse_short_decimal(const char* p, double& value) {
 
 /// Reads a finite number in plain notation that fills its token. Null where there is none. Words
 /// such as "nan" are left to `parse_number`, since a row of them is worth a diagnostic.
+template <class TokenEnd>
 inline const char* parse_plain(const char* begin, const char* end, double& value) {
   if (end - begin >= kFastBytes) {
-    if (const char* next = parse_short_decimal(begin, value)) return next;
+    if (const char* next = parse_short_decimal<TokenEnd>(begin, value)) return next;
   }
   if (*begin == '+' && end - begin > 1 && begin[1] != '-') ++begin;
   const auto [next, error] = fast_float::from_chars(begin, end, value);
   if (error != std::errc() || !std::isfinite(value)) return nullptr;
-  return next == end || is_token_end(*next) ? next : nullptr;
+  return next == end || TokenEnd::has(*next) ? next : nullptr;
 }
 
 /// The spellings of what is not finite, without their sign.
@@ -142,11 +150,30 @@ NumberRow read_number_row(const char* begin, const char* end, double* out, std::
       return {count, RowEnd::EndOfLine, p + (is_crlf ? 2 : 1)};
     }
     if (count == capacity) return {count, RowEnd::Full, p};
-    const char* next = parse_plain(p, end, out[count]);
+    const char* next = parse_plain<Space>(p, end, out[count]);
     if (next == nullptr) return {count, RowEnd::BadToken, p};
     ++count;
     p = next;
   }
+}
+
+NumberList read_number_list(const char* begin, const char* end, std::vector<double>& out) {
+  const auto skip_space = [end](const char* p) {
+    while (p != end && Space::has(*p)) ++p;
+    return p;
+  };
+  NumberList list{0, true, skip_space(begin)};
+  double value = 0;
+  while (list.next != end && list.ends_with_comma) {
+    const char* const behind = parse_plain<SpaceOrSeparator>(list.next, end, value);
+    if (behind == nullptr) return list;
+    out.push_back(value);
+    ++list.count;
+    list.next = skip_space(behind);
+    list.ends_with_comma = list.next != end && *list.next == ',';
+    if (list.ends_with_comma) list.next = skip_space(list.next + 1);
+  }
+  return list;
 }
 
 }  // namespace kinefile::text

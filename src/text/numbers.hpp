@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace kinefile::text {
 
@@ -55,5 +56,16 @@ struct NumberRow {
 /// \param out       room for `capacity` numbers
 /// Reads no further than the line, or than `capacity` numbers. Does not allocate.
 NumberRow read_number_row(const char* begin, const char* end, double* out, std::size_t capacity);
+
+struct NumberList {
+  std::size_t count = 0;
+  bool ends_with_comma = false;  ///< or holds nothing
+  const char* next = nullptr;    ///< what is no part of the list
+};
+
+/// Reads numbers that are separated by commas, over any number of lines, exact to the last bit, and
+/// appends them: as many as are finite numbers in plain notation, each followed by a comma, a
+/// closing bracket or space.
+NumberList read_number_list(const char* begin, const char* end, std::vector<double>& out);
 
 }  // namespace kinefile::text

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/body_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinefile/math.hpp"
+
+namespace kinefile {
+
+const Component* find_component(const BodyMotion& motion, ComponentKind kind,
+                                std::string_view content) {
+  const auto found = std::find_if(motion.components.rbegin(), motion.components.rend(),
+                                  [&](const Component& component) {
+                                    return component.kind == kind && component.content == content;
+                                  });
+  return found == motion.components.rend() ? nullptr : &*found;
+}
+
+std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> pose) {
+  if (form == PoseForm::Quaternion) return {pose[3], pose[4], pose[5], pose[6]};
+  // Each entry as Choreonoid writes it out, so that not even the last bit differs.
+  const double sr = std::sin(pose[3]), cr = std::cos(pose[3]);
+  const double sp = std::sin(pose[4]), cp = std::cos(pose[4]);
+  const double sy = std::sin(pose[5]), cy = std::cos(pose[5]);
+  Mat3 rotation;
+  rotation << cp * cy, sr * sp * cy - cr * sy, cr * sp * cy + sr * sy,  //
+      cp * sy, sr * sp * sy + cr * cy, cr * sp * sy - sr * cy,          //
+      -sp, sr * cp, cr * cp;
+  const Quat q(rotation);
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+}  // namespace kinefile

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "kinefile/diagnostics.hpp"
+#include "text/source.hpp"
+#include "text/yaml/parser.hpp"
+
+namespace kinefile::text::yaml {
+
+enum class NodeKind { Scalar, Sequence, Mapping };
+
+struct Node;
+
+/// The entries of a sequence some of which are rows of numbers.
+struct RowEntries {
+  struct Entry {
+    std::string_view text;       ///< of a row; of another node, where it starts
+    std::uint32_t shape = 0;     ///< of a row
+    const Node* node = nullptr;  ///< null for a row
+  };
+  std::vector<Entry> entries;
+  std::vector<double> values;  ///< of all rows, one after the other
+};
+
+/// A value of a YAML document.
+struct Node {
+  NodeKind kind = NodeKind::Scalar;
+  const char* at = nullptr;  ///< where it starts in the text
+  std::string_view tag;
+  std::string_view text;  ///< of a scalar
+  ScalarStyle style = ScalarStyle::Plain;
+  bool is_flow = false;
+  /// Of a sequence its entries, of a mapping a key and a value in turn: each key once, what `<<`
+  /// brings at the end. Empty where `rows` has the entries.
+  std::vector<const Node*> children;
+  std::unique_ptr<RowEntries> rows;
+  std::size_t size = 1;  ///< the nodes in it, aliases counted as what they stand for
+
+  bool is_plain() const { return kind == NodeKind::Scalar && style == ScalarStyle::Plain; }
+};
+
+/// A YAML document. Views and pointers into it live as long as it and its text.
+class Tree {
+ public:
+  const Node& root() const { return *root_; }
+  const RowShape& shape(std::size_t index) const { return rows_.shape(index); }
+  /// Takes the rows out of a sequence of the tree, which has some.
+  std::unique_ptr<RowEntries> take_rows(const Node& sequence);
+
+ private:
+  friend class TreeBuilder;
+  NumberRows rows_;
+  std::unique_ptr<Parser> parser_;  ///< keeps the texts of scalars
+  std::deque<Node> nodes_;
+  const Node* root_ = nullptr;
+  bool has_aliases_ = false;
+};
+
+/// Reads the first document of a text; what follows it is told and not read. Aliases become what
+/// they stand for, merges (`<<`) what they bring; of a key that stands twice the later one counts.
+/// Null after errors, which are in `diagnostics`.
+/// \errors YML001 to YML011
+std::unique_ptr<Tree> read_tree(const Source& source, Diagnostics& diagnostics);
+
+/// The value of a key of a mapping; null if it has none, or is no mapping.
+const Node* find(const Node& node, std::string_view key);
+
+}  // namespace kinefile::text::yaml

@@ -11,3 +11,25 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
 endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+# Reading these headers is half of the time that most of our files take to compile. One target reads
+# them, all others with the same options reuse that. The browser build goes without, so that a file
+# which forgets an include does not compile there.
+function(kinefile_precompile target first)
+  if(EMSCRIPTEN)
+    return()
+  endif()
+  if("${target}" STREQUAL "${first}")
+    target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <fmt/format.h>
+      <tl/expected.hpp> <algorithm> <array> <functional> <map> <memory> <string> <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  endif()
+endfunction()
+
+# What is not the library need not be fast, but quickly compiled.
+function(kinefile_compile_quickly target)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()

@@ -22,6 +22,20 @@ enum class PositionMode {
   Auto,     ///< decided from the first frames, with a note
 };
 
+/// Which frame of a steady rate the frame of a timed motion goes to (.seq with hasFrameTime).
+enum class TimedRounding {
+  Ceil,   ///< the first one at or after its time, as the format's document says
+  Floor,  ///< the last one at or before it, as Choreonoid does
+  Slerp,  ///< none: values are interpolated
+};
+
+/// How a YAML document is laid out.
+enum class YamlStyle {
+  Kept,   ///< as the file was; block style for others
+  Block,  ///< rows in flow style, all else in blocks
+  Json,   ///< all in flow style, which is JSON
+};
+
 /// A file that another one needs.
 struct CompanionFile {
   std::string name;        ///< how diagnostics call it
@@ -51,6 +65,8 @@ struct ReadOptions {
   /// Metres in the unit of length that the format leaves open: BVH's unit; what an ASF file's
   /// lengths are in once they are divided by its own factor.
   std::optional<double> metres_per_unit = std::nullopt;
+  TimedRounding timed_rounding = TimedRounding::Ceil;
+  bool keeps_times = false;  ///< leaves timed frames at their times
   /// For motions that need one; `read_file` reads it from `skeleton_name` where it is null.
   std::shared_ptr<const Document> skeleton = nullptr;
   std::string skeleton_name = {};  ///< a path, and how diagnostics call it
@@ -64,6 +80,10 @@ struct WriteOptions {
   bool writes_companion = true;  ///< whether `write_file` writes the companion, too
   std::string companion = {};    ///< its name, for the file to tell it
   bool is_companion = false;     ///< this is one: what it leaves out, the other file has
+  int seq_version = 0;           ///< of .seq: 1 to 4; 0: the file's own, 2 for others
+  std::string se3_format = {};   ///< of .seq: "XYZQWQXQYQZ", ...; empty: the file's own
+  YamlStyle style = YamlStyle::Kept;
+  bool choreonoid_digits = false;  ///< nine significant digits, as Choreonoid writes
 };
 
 /// Takes the next piece of the output; returns false to stop.

@@ -35,6 +35,19 @@ void Printer::print_exact(double number) {
   decimals_ = decimals;
 }
 
+void Printer::print_yaml(double number) {
+  const std::size_t start = buffer_.size();
+  print(number);
+  if (buffer_.size() <= start) return;  // has been handed on, which is rare
+  const std::string_view text(buffer_.data() + start, buffer_.size() - start);
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string_view::npos || text.find('.') != std::string_view::npos) return;
+  const std::string tail(text.substr(exponent));
+  buffer_.resize(start + exponent);
+  const std::string pointed = ".0" + tail;
+  buffer_.append(pointed.data(), pointed.data() + pointed.size());
+}
+
 bool Printer::finish() {
   hand_on();
   return is_good_;

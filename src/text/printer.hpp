@@ -23,6 +23,9 @@ class Printer {
   void print(double number);
   /// Prints a number in its shortest exact form, whatever `decimals` says: a time, a count.
   void print_exact(double number);
+  /// As `print`, with a point in numbers that have an exponent: without it, some readers of YAML
+  /// take 1e-05 for a word.
+  void print_yaml(double number);
   void print(char character) { buffer_.push_back(character); }
 
   /// Hands on what is left. Returns false if the sink ever did.

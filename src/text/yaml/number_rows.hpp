@@ -31,6 +31,8 @@ class NumberRows {
   std::span<const double> pop(std::size_t shape);
 
   const RowShape& shape(std::size_t index) const { return shapes_[index]; }
+  /// How many numbers a row of a shape has.
+  std::size_t num_values(std::size_t index) const { return num_values_[index]; }
 
  private:
   const char* read_groups(const char* p, const char* end);

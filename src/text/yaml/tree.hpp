@@ -50,6 +50,8 @@ class Tree {
  public:
   const Node& root() const { return *root_; }
   const RowShape& shape(std::size_t index) const { return rows_.shape(index); }
+  /// How many numbers a row of a shape has.
+  std::size_t num_values(std::size_t index) const { return rows_.num_values(index); }
   /// Takes the rows out of a sequence of the tree, which has some.
   std::unique_ptr<RowEntries> take_rows(const Node& sequence);
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "formats/choreonoid/bind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kinefile::choreonoid {
+namespace {
+
+Timeline timeline_of(SeqComponent& component, std::optional<double> fps) {
+  Timeline timeline;
+  timeline.given = Timeline::Given::FrameRate;
+  timeline.value = fps ? *fps : component.frame_rate.value_or(0);
+  timeline.times = std::move(component.times);
+  return timeline;
+}
+
+/// Brings quaternions with w last into the order w x y z.
+void put_w_first(std::vector<double>& values) {
+  for (std::size_t i = 0; i + 7 <= values.size(); i += 7) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(first + 3, first + 6, first + 7);
+  }
+}
+
+Component bind_component(SeqComponent&& from, std::optional<double> fps, int version) {
+  Component component;
+  component.kind = from.kind;
+  component.content = usual_content(from);
+  component.num_parts = from.num_parts;
+  component.num_frames = from.num_frames;
+  component.timeline = timeline_of(from, fps);
+  component.values = std::move(from.values);
+  component.is_root_relative = from.is_root_relative;
+  component.extras[extra::kType] = from.type;
+  component.extras[extra::kContent] = from.content;
+  if (!from.unknown_keys.empty()) component.extras[extra::kUnknownKeys] = from.unknown_keys;
+  if (from.kind == ComponentKind::Other) component.extras[extra::kText] = from.text;
+  if (from.kind == ComponentKind::Poses) {
+    component.extras[extra::kPoseFormat] = word_of(from.pose_order);
+    const bool is_rpy = from.pose_order == PoseOrder::RollPitchYaw;
+    component.pose_form = is_rpy ? PoseForm::RollPitchYaw : PoseForm::Quaternion;
+    if (from.pose_order == PoseOrder::QuaternionWLast) put_w_first(component.values);
+  }
+  // In format version 1 the name alone tells what ZMP is relative to.
+  const bool is_called_relative = from.content == "RelativeZMP" || from.content == "RelativeZmp";
+  if (is_called_relative) component.is_root_relative = true;
+  if (version < 2 && from.content == "ZMP") component.is_root_relative = false;
+  return component;
+}
+
+}  // namespace
+
+std::string_view usual_content(const SeqComponent& component) {
+  const std::string_view content = component.content;
+  if (component.kind == ComponentKind::Values &&
+      (content == "JointPosition" || content == "MultiJointDisplacementSeq")) {
+    return kJointDisplacement;
+  }
+  if (component.kind == ComponentKind::Poses && content == "MultiLinkPositionSeq") {
+    return kLinkPosition;
+  }
+  const bool is_relative = content == "RelativeZMP" || content == "RelativeZmp";
+  if (component.kind == ComponentKind::Vectors && (content == "ZMPSeq" || is_relative)) return kZmp;
+  return content;
+}
+
+std::string_view word_of(PoseOrder order) {
+  constexpr std::array<std::string_view, 3> kWords = {"XYZQWQXQYQZ", "XYZQXQYQZQW", "XYZRPY"};
+  return kWords[static_cast<std::size_t>(order)];
+}
+
+BodyMotion bind(SeqFile&& file, std::optional<double> fps, Extras& extras) {
+  extras.file[extra::kVersion] = file.version;
+  extras.file[extra::kSpelling] = file.is_snake_case ? "snake_case" : "camelCase";
+  extras.file[extra::kStyle] = file.is_json ? "json" : "block";
+  if (file.has_comments) extras.file[extra::kComments] = "yes";
+  if (!file.unknown_keys.empty()) extras.file[extra::kUnknownKeys] = file.unknown_keys;
+  BodyMotion motion;
+  for (SeqComponent& component : file.components) {
+    motion.components.push_back(bind_component(std::move(component), fps, file.major));
+  }
+  return motion;
+}
+
+}  // namespace kinefile::choreonoid

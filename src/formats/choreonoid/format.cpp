@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "formats/choreonoid/format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+
+#include "formats/choreonoid/bind.hpp"
+#include "formats/choreonoid/codes.hpp"
+#include "formats/choreonoid/reader.hpp"
+#include "formats/choreonoid/unbind.hpp"
+#include "formats/files.hpp"
+#include "text/decode.hpp"
+
+namespace kinefile::choreonoid {
+namespace {
+
+constexpr std::array<std::string_view, 3> kExtensions = {".seq", ".yaml", ".yml"};
+
+/// Looks for the type at the top of the file, among the keys that come before its components.
+bool probe(std::string_view head) {
+  Diagnostics ignored;
+  const auto decoded = text::decode(head, {}, {}, ignored);
+  if (!decoded) return false;
+  text::yaml::Parser parser(decoded->view());
+  text::yaml::Event event;
+  std::size_t depth = 0;
+  bool is_key = true;
+  bool is_type = false;
+  while (parser.next(event) && event.kind != text::yaml::EventKind::StreamEnd) {
+    using text::yaml::EventKind;
+    const bool starts =
+        event.kind == EventKind::MappingStart || event.kind == EventKind::SequenceStart;
+    const bool ends = event.kind == EventKind::MappingEnd || event.kind == EventKind::SequenceEnd;
+    if (depth == 0 && event.kind == EventKind::SequenceStart) return false;
+    if (depth == 1 && event.kind == EventKind::Scalar) {
+      if (is_type && !is_key) return event.value == "CompositeSeq" || event.value == "BodyMotion";
+      is_type = is_key && event.value == "type";
+    }
+    if (starts) ++depth;
+    if (ends && --depth == 0) return false;
+    if (depth == 1 && (event.kind == EventKind::Scalar || event.kind == EventKind::Alias || ends)) {
+      is_key = !is_key;
+    }
+  }
+  return false;
+}
+
+/// Tells of components that stand twice: Choreonoid takes the last.
+void check_repeated(const Reader& reader, const SeqFile& file) {
+  std::set<std::pair<ComponentKind, std::string_view>> seen;
+  for (const SeqComponent& component : file.components) {
+    if (component.kind == ComponentKind::Other) continue;
+    const std::string_view content = usual_content(component);
+    if (seen.emplace(component.kind, content).second) continue;
+    reader.warn(code::kSameComponent,
+                fmt::format("expected one component of content {}, found another; the last one "
+                            "counts",
+                            text::quoted(content)),
+                component.at);
+  }
+}
+
+/// Tells of contents that are kept and mean nothing to kinefile.
+void note_contents(const Reader& reader, const SeqFile& file) {
+  constexpr std::array<std::string_view, 9> kKnown = {"JointDisplacement",
+                                                      "JointPosition",
+                                                      "MultiJointDisplacementSeq",
+                                                      "LinkPosition",
+                                                      "MultiLinkPositionSeq",
+                                                      "ZMP",
+                                                      "ZMPSeq",
+                                                      "RelativeZMP",
+                                                      "RelativeZmp"};
+  for (const SeqComponent& component : file.components) {
+    if (component.kind == ComponentKind::Other) continue;
+    const auto known = std::find(kKnown.begin(), kKnown.end(), component.content);
+    const auto index = static_cast<std::size_t>(known - kKnown.begin());
+    const ComponentKind wanted = index < 3   ? ComponentKind::Values
+                                 : index < 5 ? ComponentKind::Poses
+                                             : ComponentKind::Vectors;
+    if (known == kKnown.end()) {
+      reader.tell(Severity::Note, code::kOtherContent,
+                  fmt::format("the content {} is kept and means nothing to kinefile",
+                              text::quoted(component.content)),
+                  component.at);
+    } else if (component.kind != wanted) {
+      reader.warn_rejected(fmt::format("the content {} does not belong to the type {}",
+                                       text::quoted(component.content), component.type),
+                           component.at);
+    }
+  }
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) return fail(std::move(decoded.error()));
+  const text::Source source(options.source_name, decoded->view());
+  const auto tree = text::yaml::read_tree(source, diagnostics);
+  if (tree == nullptr) return fail(diagnostics.first_error());
+  const Reader reader{source, *tree, options, diagnostics};
+  SeqFile file = parse(reader);
+  for (SeqComponent& component : file.components) {
+    if (diagnostics.has_errors()) break;
+    if (component.has_times && !options.keeps_times) resample_timed(reader, component);
+  }
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  note_contents(reader, file);
+  check_repeated(reader, file);
+  Document document;
+  document.format = "choreonoid";
+  document.extras.file["encoding"] = decoded->description();
+  document.extras.file["line_end"] = text::line_end_of(source.text());
+  document.content = bind(std::move(file), options.fps, document.extras);
+  return document;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics& diagnostics) {
+  const auto file = unbind(document, options, diagnostics);
+  if (!file) return fail(file.error());
+  text::Printer printer(sink, options.decimals);
+  const bool is_own = document.format == "choreonoid";
+  print_file(printer, *file, is_own ? kept_line_end(document.extras) : "\n");
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Format format() {
+  return {"choreonoid", "Choreonoid's body motion: values, poses and vectors over time",
+          kExtensions,  {},
+          probe,        read,
+          write};
+}
+
+}  // namespace kinefile::choreonoid

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "formats/choreonoid/unbind.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "formats/choreonoid/bind.hpp"
+#include "formats/choreonoid/codes.hpp"
+#include "kinefile/math.hpp"
+
+namespace kinefile::choreonoid {
+namespace {
+
+std::string kept(const std::map<std::string, std::string>& extras, const char* key) {
+  const auto found = extras.find(key);
+  return found == extras.end() ? "" : found->second;
+}
+
+/// The type of a component of known kind.
+std::string_view usual_type(ComponentKind kind) {
+  constexpr std::array<std::string_view, 4> kTypes = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq",
+                                                      ""};
+  return kTypes[static_cast<std::size_t>(kind)];
+}
+
+/// What a content is called in a format version.
+std::string usual_word(const Component& component, int version) {
+  const std::string& content = component.content;
+  if (component.kind == ComponentKind::Values && content == kJointDisplacement) {
+    if (version == 1) return "JointPosition";
+    if (version == 3) return "MultiJointDisplacementSeq";
+  } else if (component.kind == ComponentKind::Poses && content == kLinkPosition) {
+    if (version == 3) return "MultiLinkPositionSeq";
+  } else if (component.kind == ComponentKind::Vectors && content == kZmp) {
+    if (version == 1 && component.is_root_relative) return "RelativeZMP";
+    if (version == 3) return "ZMPSeq";
+  }
+  return content;
+}
+
+/// Whether the word of the file still says what the component is.
+bool is_still_true(const std::string& word, const Component& component, int version) {
+  if (component.kind != ComponentKind::Vectors || component.content != kZmp) return true;
+  const bool is_called_relative = word == "RelativeZMP" || word == "RelativeZmp";
+  if (is_called_relative) return component.is_root_relative;
+  return version > 1 || !component.is_root_relative;
+}
+
+std::optional<PoseOrder> order_of(std::string_view word) {
+  for (const PoseOrder order :
+       {PoseOrder::QuaternionWFirst, PoseOrder::QuaternionWLast, PoseOrder::RollPitchYaw}) {
+    if (word == word_of(order)) return order;
+  }
+  return std::nullopt;
+}
+
+/// Poses with their rotations as roll, pitch and yaw, each nearest to the frame before.
+std::vector<double> as_roll_pitch_yaw(const Component& component) {
+  std::vector<double> values(component.num_frames * component.num_parts * 6);
+  const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
+  for (std::size_t p = 0; p < component.num_parts; ++p) {
+    Vec3 near = Vec3::Zero();
+    for (std::size_t f = 0; f < component.num_frames; ++f) {
+      const auto pose = component.row(f).subspan(p * 7, 7);
+      const Quat q = Quat(pose[3], pose[4], pose[5], pose[6]).normalized();
+      near = euler_angles(q.toRotationMatrix(), axes, near);
+      double* out = values.data() + (f * component.num_parts + p) * 6;
+      std::copy(pose.begin(), pose.begin() + 3, out);
+      for (Eigen::Index k = 0; k < 3; ++k) out[5 - k] = near[k];
+    }
+  }
+  return values;
+}
+
+std::vector<double> as_quaternions(const Component& component) {
+  std::vector<double> values;
+  values.reserve(component.num_frames * component.num_parts * 7);
+  for (std::size_t i = 0; i < component.num_frames * component.num_parts; ++i) {
+    const std::span<const double> pose(component.values.data() + i * 6, 6);
+    values.insert(values.end(), pose.begin(), pose.begin() + 3);
+    const auto q = quaternion_of_pose(PoseForm::RollPitchYaw, pose);
+    values.insert(values.end(), q.begin(), q.end());
+  }
+  return values;
+}
+
+/// Chooses how poses are written, and brings them into that form.
+void settle_poses(PrintedComponent& printed, int version, const WriteOptions& options,
+                  Diagnostics& diagnostics) {
+  const Component& component = *printed.component;
+  const auto asked = order_of(options.se3_format);
+  const auto own = order_of(kept(component.extras, extra::kPoseFormat));
+  const bool is_rpy = component.pose_form == PoseForm::RollPitchYaw;
+  printed.pose_order = asked ? *asked
+                       : own ? *own
+                             : (is_rpy ? PoseOrder::RollPitchYaw : PoseOrder::QuaternionWFirst);
+  printed.pose_format = word_of(printed.pose_order);
+  const bool wants_rpy = printed.pose_order == PoseOrder::RollPitchYaw;
+  if (wants_rpy && !is_rpy) printed.converted = as_roll_pitch_yaw(component);
+  if (!wants_rpy && is_rpy) printed.converted = as_quaternions(component);
+  if (printed.pose_order == PoseOrder::QuaternionWLast && version >= 2) {
+    diagnostics.add(Severity::Warning, code::kChoreonoidRejects,
+                    fmt::format("Choreonoid 2.x will reject this: it reads {} in format version 1 "
+                                "alone; --se3-format XYZQWQXQYQZ is what it writes",
+                                printed.pose_format));
+  }
+}
+
+Result<double> settle_rate(const Component& component, Diagnostics& diagnostics) {
+  const double rate = nominal_frame_rate(component.timeline);
+  if (rate == 0 && !component.timeline.times.empty()) return 0.0;
+  if (!(rate > 0) || !std::isfinite(rate)) {
+    return fail(make_error(ErrorKind::DataLoss, code::kCannotWrite,
+                           fmt::format("expected frames a second above 0, found {}", rate)));
+  }
+  if (rate != frame_rate(component.timeline) &&
+      diagnostics.count_of(code::kRateSnapped, Severity::Note) == 0) {
+    diagnostics.add(Severity::Note, code::kRateSnapped,
+                    fmt::format("the frame time {} s is written as {} frames a second, from which "
+                                "it was cut off",
+                                frame_time(component.timeline), rate));
+  }
+  return rate;
+}
+
+Result<PrintedComponent> unbind_component(const Component& component, int version,
+                                          bool is_same_version, const WriteOptions& options,
+                                          Diagnostics& diagnostics) {
+  PrintedComponent printed;
+  printed.component = &component;
+  if (component.kind == ComponentKind::Other) {
+    printed.unknown_keys = kept(component.extras, extra::kText);
+    return printed;
+  }
+  const std::string type = kept(component.extras, extra::kType);
+  const std::string content = kept(component.extras, extra::kContent);
+  printed.type = is_same_version && !type.empty() ? type : usual_type(component.kind);
+  const bool keeps_word =
+      is_same_version && !content.empty() && is_still_true(content, component, version);
+  printed.content = keeps_word ? content : usual_word(component, version);
+  const bool is_told_by_name = printed.content == "RelativeZMP" || printed.content == "RelativeZmp";
+  printed.says_relative = component.is_root_relative && !(is_told_by_name && version == 1);
+  printed.unknown_keys = kept(component.extras, extra::kUnknownKeys);
+  const auto rate = settle_rate(component, diagnostics);
+  if (!rate) return fail(rate.error());
+  printed.frame_rate = *rate;
+  if (component.kind == ComponentKind::Poses) settle_poses(printed, version, options, diagnostics);
+  return printed;
+}
+
+int major_of(const std::string& version) {
+  return version.empty() ? 1 : std::max(1, version.front() - '0');
+}
+
+}  // namespace
+
+Result<PrintedFile> unbind(const Document& document, const WriteOptions& options,
+                           Diagnostics& diagnostics) {
+  const BodyMotion* motion = std::get_if<BodyMotion>(&document.content);
+  if (motion == nullptr) {
+    return fail(make_error(
+        ErrorKind::Usage, code::kCannotWrite,
+        fmt::format("expected a body motion to write as .seq, found a {}", kind_name(document))));
+  }
+  const bool is_own = document.format == "choreonoid";
+  const auto& extras = document.extras.file;
+  PrintedFile file;
+  const std::string own_version = is_own ? kept(extras, extra::kVersion) : "2";
+  const bool is_same =
+      is_own && (options.seq_version == 0 || options.seq_version == major_of(own_version));
+  file.version = options.seq_version > 0 ? options.seq_version : major_of(own_version);
+  file.version_word = is_same ? own_version : fmt::format("{}", file.version);
+  const std::string spelling = is_same ? kept(extras, extra::kSpelling) : "";
+  file.is_snake_case = spelling.empty() ? file.version == 4 : spelling == "snake_case";
+  file.is_json = options.style == YamlStyle::Json || (options.style == YamlStyle::Kept && is_own &&
+                                                      kept(extras, extra::kStyle) == "json");
+  file.choreonoid_digits = options.choreonoid_digits;
+  if (is_own) file.unknown_keys = kept(extras, extra::kUnknownKeys);
+  if (is_own && !kept(extras, extra::kComments).empty()) {
+    diagnostics.add(Severity::Note, code::kCommentsDropped, "the file's comments are not written");
+  }
+  for (const Component& component : motion->components) {
+    auto printed = unbind_component(component, file.version, is_same, options, diagnostics);
+    if (!printed) return fail(std::move(printed.error()));
+    file.components.push_back(std::move(*printed));
+  }
+  return file;
+}
+
+}  // namespace kinefile::choreonoid

@@ -20,6 +20,9 @@ int run(Align& align, const Globals& globals) {
   auto document = load_motion(align.file, reading, globals, exit_code);
   const auto reference = load_motion(align.reference, reading, globals, exit_code);
   if (!document || !reference) return exit_code;
+  if (!has_skeleton(*document) || !has_skeleton(*reference)) {
+    return usage_error(globals, "align needs motions with skeletons; convert them first");
+  }
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = reading.is_strict;
   AlignOptions options;

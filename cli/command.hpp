@@ -35,6 +35,8 @@ struct Reading {
   std::string encoding;
   std::string unit_in;
   std::string skeleton;
+  std::string timed_rounding = "ceil";
+  bool keeps_times = false;
   std::optional<double> fps;
   bool is_lenient = false;
   bool is_strict = false;
@@ -53,6 +55,14 @@ std::optional<Document> load(const std::string& path, const Reading& reading,
 /// As `load`, but reports nothing: what was noticed is in `diagnostics`.
 Result<Document> load_quietly(const std::string& path, const Reading& reading,
                               Diagnostics& diagnostics);
+
+/// Reads the document that `--skeleton` names; null if it names none.
+Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostics& diagnostics);
+
+/// The motion of a document in a world, taken out of it: a body motion, which stays, on the robot
+/// that `--skeleton` names, or its links alone. A skeleton alone is a motion without frames.
+Result<Motion> motion_in_world(Document& document, const Reading& reading,
+                               Diagnostics& diagnostics);
 
 /// Reports that the command was asked for something that makes no sense. Returns kUsage.
 int usage_error(const Globals& globals, const std::string& message);

@@ -11,6 +11,7 @@ struct Convert {
   std::string in;
   std::string order;
   std::string channels = "as-is";
+  std::string style = "as-is";
   Writing writing;
   Reading reading;
 };
@@ -33,6 +34,8 @@ int run(Convert& convert, const Globals& globals) {
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = convert.reading.is_strict;
   convert.writing.channels = channels_of(convert);
+  if (convert.style == "json") convert.writing.format.style = YamlStyle::Json;
+  if (convert.style == "yaml") convert.writing.format.style = YamlStyle::Block;
   return write_document({}, std::move(*document), *format, convert.writing, convert.in,
                         convert.reading, diagnostics, globals);
 }
@@ -58,6 +61,34 @@ void add_convert(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"root", "all", "as-is"}))
       ->default_str("as-is")
       ->type_name("WHICH");
+  command
+      ->add_option("--form", convert->writing.form,
+                   "Of a body motion (.seq): the poses of all links, the root's pose and all "
+                   "joints, or both")
+      ->check(CLI::IsMember({"links", "joints", "both"}))
+      ->type_name("FORM");
+  command
+      ->add_option("--up", convert->writing.up,
+                   "The axis that points up in the output: z is usual for .seq, y for others")
+      ->check(CLI::IsMember({"y", "z", "as-is"}))
+      ->type_name("AXIS");
+  command
+      ->add_option("--seq-version", convert->writing.format.seq_version,
+                   "Format version of a .seq output; else the file's own, or 2")
+      ->check(CLI::Range(1, 4))
+      ->type_name("N");
+  command
+      ->add_option("--se3-format", convert->writing.format.se3_format,
+                   "How a .seq output writes poses; else as the file does, or XYZQWQXQYQZ")
+      ->check(CLI::IsMember({"XYZQWQXQYQZ", "XYZQXQYQZQW", "XYZRPY"}))
+      ->type_name("FORMAT");
+  command
+      ->add_option("--style", convert->style,
+                   "Layout of a .seq output: yaml, json (all in flow style), or as the file's")
+      ->check(CLI::IsMember({"yaml", "json", "as-is"}))
+      ->type_name("STYLE");
+  command->add_flag("--choreonoid-digits", convert->writing.format.choreonoid_digits,
+                    "Nine significant digits in a .seq output, as Choreonoid writes");
   add_writing_options(*command, convert->writing);
   add_reading_options(*command, convert->reading);
   command->callback([convert, &globals] {

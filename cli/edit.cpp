@@ -31,7 +31,12 @@ Result<std::vector<Operation>> parse_operations(const std::vector<std::string>& 
 Result<void> apply(const std::vector<Operation>& operations, Document& document,
                    const EditContext& context) {
   for (const Operation& operation : operations) {
-    if (operation.needs_motion && !std::holds_alternative<Motion>(document.content)) {
+    if (!has_skeleton(document) && !operation.works_on_parts) {
+      return fail(make_error(
+          ErrorKind::Usage, "CLI001",
+          fmt::format("'{}' needs a skeleton, and the file holds components", operation.word)));
+    }
+    if (operation.needs_motion && std::holds_alternative<Skeleton>(document.content)) {
       return fail(make_error(
           ErrorKind::Usage, "CLI001",
           fmt::format("'{}' needs a motion, and the file holds a skeleton alone", operation.word)));

@@ -20,6 +20,7 @@ struct OperationKind {
   std::string_view name;
   std::string_view usage;
   bool needs_motion;
+  bool works_on_parts;
   /// \param argument  what follows "=", or null
   /// \returns         nothing if the argument is not what `usage` says
   Apply (*parse)(const std::string* argument);
@@ -205,20 +206,34 @@ Apply parse_unwrap(const std::string* argument) {
   return on_motion([](const Motion& motion, const EditContext&) { return unwrapped(motion); });
 }
 
+Apply parse_zmp(const std::string* argument) {
+  if (argument == nullptr || (*argument != "global" && *argument != "root")) return {};
+  return [is_relative = *argument == "root"](Document& document,
+                                             const EditContext& context) -> Result<void> {
+    const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
+    auto changed =
+        with_zmp(body != nullptr ? *body : BodyMotion{}, is_relative, context.diagnostics);
+    if (!changed) return fail(std::move(changed.error()));
+    document.content = std::move(*changed);
+    return {};
+  };
+}
+
 constexpr OperationKind kKinds[] = {
-    {"trim", "trim=A:B", true, parse_trim},
-    {"reverse", "reverse", true, parse_reverse},
-    {"speed", "speed=X", true, parse_speed},
-    {"mirror", "mirror[=x|y|z]", true, parse_mirror},
-    {"scale", "scale=X", false, parse_scale},
-    {"up", "up=y|z", false, parse_up},
-    {"in-place", "in-place", true, parse_in_place},
-    {"loop", "loop=N[,blend=F]", true, parse_loop},
-    {"append", "append=FILE[,blend=F]", true, parse_append},
-    {"joints", "joints=A,B,...", false, parse_joints},
-    {"rename", "rename=OLD:NEW", false, parse_rename},
-    {"smooth", "smooth=HZ", true, parse_smooth},
-    {"unwrap", "unwrap", true, parse_unwrap},
+    {"trim", "trim=A:B", true, true, parse_trim},
+    {"reverse", "reverse", true, true, parse_reverse},
+    {"speed", "speed=X", true, true, parse_speed},
+    {"mirror", "mirror[=x|y|z]", true, false, parse_mirror},
+    {"scale", "scale=X", false, false, parse_scale},
+    {"up", "up=y|z", false, false, parse_up},
+    {"in-place", "in-place", true, false, parse_in_place},
+    {"loop", "loop=N[,blend=F]", true, true, parse_loop},
+    {"append", "append=FILE[,blend=F]", true, false, parse_append},
+    {"joints", "joints=A,B,...", false, false, parse_joints},
+    {"rename", "rename=OLD:NEW", false, false, parse_rename},
+    {"smooth", "smooth=HZ", true, true, parse_smooth},
+    {"unwrap", "unwrap", true, false, parse_unwrap},
+    {"zmp", "zmp=global|root", true, true, parse_zmp},
 };
 
 Error usage(std::string message) {
@@ -234,7 +249,7 @@ Result<Operation> parse_operation(const std::string& word) {
   for (const OperationKind& kind : kKinds) {
     if (kind.name != name) continue;
     Apply apply = kind.parse(equals == std::string::npos ? nullptr : &argument);
-    if (apply) return Operation{word, kind.needs_motion, std::move(apply)};
+    if (apply) return Operation{word, kind.needs_motion, kind.works_on_parts, std::move(apply)};
     return fail(usage(fmt::format("expected {}, found '{}'", kind.usage, word)));
   }
   return fail(

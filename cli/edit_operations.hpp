@@ -17,7 +17,8 @@ struct EditContext {
 /// One operation of `edit`, read from a word such as "trim=10:20".
 struct Operation {
   std::string word;
-  bool needs_motion = true;  ///< else it can be done to a skeleton alone
+  bool needs_motion = true;     ///< else it can be done to a skeleton alone
+  bool works_on_parts = false;  ///< whether it can be done to the components of a body motion
   std::function<Result<void>(Document&, const EditContext&)> apply;
 };
 

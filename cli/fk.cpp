@@ -24,6 +24,7 @@ struct Fk {
   bool has_directions = false;
   bool is_local = false;
   bool may_replace = false;
+  bool is_comparing = false;
   Reading reading;
 };
 
@@ -49,8 +50,14 @@ std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::stri
   return selected;
 }
 
-PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip,
-                 const FrameRange& range) {
+/// What `fk` places: a motion, and of a body motion the links that were recorded.
+struct Placed {
+  const Skeleton& skeleton;
+  const Clip& clip;
+  const BodyMotion* recorded = nullptr;
+};
+
+PoseArrays place(const Fk& fk, const Placed& placed, const FrameRange& range) {
   KinematicsOptions options;
   options.first_frame = range.begin;
   options.frame_step = range.step;
@@ -58,12 +65,14 @@ PoseArrays place(const Fk& fk, const Skeleton& skeleton, const Clip& clip,
   options.rotations = fk.has_rotations;
   options.directions = fk.has_directions;
   options.tips = fk.has_tips;
-  if (fk.is_local) return local_poses(skeleton, clip, options);
-  return forward_kinematics(skeleton, clip, options);
+  if (fk.is_local) return local_poses(placed.skeleton, placed.clip, options);
+  PoseArrays poses = forward_kinematics(placed.skeleton, placed.clip, options);
+  if (placed.recorded != nullptr) put_recorded_links(*placed.recorded, placed.skeleton, poses);
+  return poses;
 }
 
 /// Writes the table a block of frames at a time, so that a long clip needs little memory.
-bool write_csv(const Fk& fk, const PoseTable& table, const Clip& clip, const FrameRange& range,
+bool write_csv(const Fk& fk, const PoseTable& table, const Placed& placed, const FrameRange& range,
                const Sink& sink) {
   const std::size_t num_frames = range.num_frames();
   const std::size_t block = frames_per_block(*table.skeleton);
@@ -72,12 +81,12 @@ bool write_csv(const Fk& fk, const PoseTable& table, const Clip& clip, const Fra
     FrameRange part = range;
     part.begin = range.begin + done * range.step;
     part.end = part.begin + (std::min(block, num_frames - done) - 1) * range.step + 1;
-    is_good = write_pose_csv(table, place(fk, *table.skeleton, clip, part), sink);
+    is_good = write_pose_csv(table, place(fk, placed, part), sink);
   }
   return is_good;
 }
 
-int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, const Clip& clip,
+int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, const Placed& placed,
                 const FrameRange& range, bool is_json) {
   auto file = OutputFile::create(fk.out, fk.may_replace);
   if (!file) {
@@ -86,9 +95,9 @@ int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, co
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (is_json) {
-    write_pose_json(table, place(fk, *table.skeleton, clip, range), sink);
+    write_pose_json(table, place(fk, placed, range), sink);
   } else {
-    write_csv(fk, table, clip, range, sink);
+    write_csv(fk, table, placed, range, sink);
   }
   const auto committed = file->commit();
   if (committed) return kDone;
@@ -105,6 +114,36 @@ std::optional<bool> is_json_wanted(const Fk& fk) {
   return format->name == "json";
 }
 
+/// Reports what kept a command from its data, unless that is among diagnostics that were printed.
+int report(Error error, const Diagnostics& diagnostics, const std::string& file,
+           const Globals& globals) {
+  if (error.place.source.empty()) error.place.source = file;
+  if (!diagnostics.has_errors()) print_error(error, globals);
+  return exit_code_of(error);
+}
+
+/// Tells how far kinematics and the recorded poses of links differ, a row a link.
+int compare(const Fk& fk, const BodyMotion* body, const Globals& globals) {
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = fk.reading.is_strict;
+  const auto model = load_skeleton(fk.reading, diagnostics);
+  if (body == nullptr || !model || !*model) {
+    if (!model) return report(model.error(), diagnostics, fk.file, globals);
+    return usage_error(globals, "--compare needs a body motion and the model of --skeleton");
+  }
+  const auto deviations =
+      compare_recorded_links(*body, skeleton_of(**model), fk.reading.is_lenient, diagnostics);
+  print_diagnostics(stderr, diagnostics, globals);
+  if (!deviations) return report(deviations.error(), diagnostics, fk.file, globals);
+  std::string text = "link,distance,distance_frame,degrees,degrees_frame\n";
+  for (const LinkDeviation& deviation : *deviations) {
+    text += fmt::format("{},{},{},{},{}\n", deviation.link, deviation.distance,
+                        deviation.distance_frame, deviation.degrees, deviation.degrees_frame);
+  }
+  print_data(text);
+  return diagnostics.has_errors() ? kInvalid : kDone;
+}
+
 int run(const Fk& fk, const Globals& globals) {
   const auto is_json = is_json_wanted(fk);
   if (!is_json) {
@@ -113,11 +152,18 @@ int run(const Fk& fk, const Globals& globals) {
                                             fk.out));
   }
   int exit_code = kDone;
-  const auto document = load(fk.file, fk.reading, globals, exit_code);
+  auto document = load(fk.file, fk.reading, globals, exit_code);
   if (!document) return exit_code;
-  const Skeleton& skeleton = skeleton_of(*document);
-  const Motion* motion = std::get_if<Motion>(&document->content);
-  if (motion == nullptr && !fk.is_rest) {
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = fk.reading.is_strict;
+  const BodyMotion* body = std::get_if<BodyMotion>(&document->content);
+  if (fk.is_comparing) return compare(fk, body, globals);
+  const auto motion = motion_in_world(*document, fk.reading, diagnostics);
+  print_diagnostics(stderr, diagnostics, globals);
+  if (!motion) return report(motion.error(), diagnostics, fk.file, globals);
+  if (diagnostics.has_errors()) return kInvalid;
+  const Skeleton& skeleton = motion->skeleton;
+  if (std::holds_alternative<Skeleton>(document->content) && !fk.is_rest) {
     return usage_error(globals, fmt::format("'{}' holds a skeleton alone; --rest shows its rest "
                                             "pose",
                                             fk.file));
@@ -144,7 +190,9 @@ int run(const Fk& fk, const Globals& globals) {
                          "--unit-in m|cm|mm|inch|FACTOR");
     }
   }
-  return write_table(fk, globals, table, clip, *range, *is_json);
+  const bool has_recorded = body != nullptr && !fk.is_rest && !fk.reading.skeleton.empty();
+  const Placed placed{skeleton, clip, has_recorded ? body : nullptr};
+  return write_table(fk, globals, table, placed, *range, *is_json);
 }
 
 }  // namespace
@@ -173,6 +221,9 @@ void add_fk(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"file", "m"}))
       ->default_str("file")
       ->type_name("UNIT");
+  command->add_flag("--compare", fk->is_comparing,
+                    "How far kinematics and the recorded poses of links differ at most, and in "
+                    "which frame (.seq with --skeleton)");
   command->add_flag("--force", fk->may_replace, "Replace an existing file");
   add_reading_options(*command, fk->reading);
   command->callback([fk, &globals] { globals.run = [fk, &globals] { return run(*fk, globals); }; });

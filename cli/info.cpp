@@ -102,7 +102,40 @@ std::string box_text(const Box& box) {
                      box.max.x(), box.min.y(), box.max.y(), box.min.z(), box.max.z());
 }
 
+/// What the components of a body motion are called in the file format, and their sizes.
+std::string component_text(const Component& component) {
+  if (component.kind == ComponentKind::Other) {
+    const auto type = component.extras.find("type");
+    return fmt::format("{}, kept as it stands",
+                       type == component.extras.end() ? "of unknown type" : type->second);
+  }
+  constexpr std::string_view kParts[] = {"value", "pose", "vector"};
+  const std::string_view part = kParts[static_cast<std::size_t>(component.kind)];
+  const double rate = frame_rate(component.timeline);
+  return fmt::format("{}: {} frames of {} {}{}{}{}", component.content, component.num_frames,
+                     component.num_parts, part, component.num_parts == 1 ? "" : "s",
+                     rate > 0 ? fmt::format(", {:.6g} fps, duration {} s", rate,
+                                            duration(component.timeline, component.num_frames))
+                              : ", at times of their own",
+                     component.is_root_relative ? ", relative to the root link" : "");
+}
+
+std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
+  std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
+  const std::string version = extra(document, "version");
+  text += fmt::format("  {:<12}format version {}, {}, {} style, {}\n", "dialect",
+                      version.empty() ? "1 (not said)" : version, extra(document, "keys"),
+                      extra(document, "style"), dialect_of(document));
+  for (const Component& component : motion.components) {
+    text += fmt::format("  {:<12}{}\n", "component", component_text(component));
+  }
+  return text;
+}
+
 std::string text_of(const std::string& path, const Document& document) {
+  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
+    return text_of(path, *motion, document);
+  }
   const Skeleton& skeleton = skeleton_of(document);
   const Motion* motion = std::get_if<Motion>(&document.content);
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
@@ -151,10 +184,50 @@ Json box_json(const Box& box) {
           {"max", {box.max.x(), box.max.y(), box.max.z()}}};
 }
 
+std::string type_of(const Component& component) {
+  constexpr const char* kTypes[] = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq"};
+  if (component.kind != ComponentKind::Other) {
+    return kTypes[static_cast<std::size_t>(component.kind)];
+  }
+  const auto type = component.extras.find("type");
+  return type == component.extras.end() ? "" : type->second;
+}
+
+Json json_of(const Component& component) {
+  Json json = {{"type", type_of(component)},
+               {"content", component.content},
+               {"num_parts", component.num_parts},
+               {"num_frames", component.num_frames},
+               {"frame_rate", number(nominal_frame_rate(component.timeline))}};
+  if (component.kind == ComponentKind::Vectors)
+    json["is_root_relative"] = component.is_root_relative;
+  return json;
+}
+
+/// What a body motion has of length and rate: those of its main component.
+void add_body(Json& json, const BodyMotion& motion) {
+  if (const Component* main = main_component(motion)) {
+    json["num_frames"] = main->num_frames;
+    json["frame_time"] = number(frame_time(main->timeline));
+    json["frame_rate"] = number(nominal_frame_rate(main->timeline));
+    json["duration"] = number(duration(main->timeline, main->num_frames));
+  }
+  json["angle_unit"] = "radians";
+  json["metres_per_unit"] = 1;
+  json["components"] = Json::array();
+  for (const Component& component : motion.components) {
+    json["components"].push_back(json_of(component));
+  }
+}
+
 Json json_of(const std::string& path, const Document& document) {
-  const Skeleton& skeleton = skeleton_of(document);
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
   for (const auto& [key, value] : document.extras.file) json[key] = value;
+  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
+    add_body(json, *motion);
+    return json;
+  }
+  const Skeleton& skeleton = skeleton_of(document);
   json["num_joints"] = skeleton.joints.size();
   json["num_dofs"] = num_dofs(skeleton);
   json["num_columns"] = skeleton.coordinates.size();
@@ -191,6 +264,9 @@ int run(const Info& info, const Globals& globals) {
       all.push_back(json_of(name, *document));
     } else if (info.is_tree) {
       if (info.files.size() > 1) print_data(fmt::format("{}:\n", name));
+      if (!has_skeleton(*document)) {
+        return usage_error(globals, fmt::format("'{}' holds no skeleton to draw", name));
+      }
       print_data(tree_of(skeleton_of(*document)));
     } else {
       print_data(text_of(name, *document));

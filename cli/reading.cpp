@@ -76,6 +76,15 @@ void add_reading_options(CLI::App& command, Reading& reading) {
           "own unit)")
       ->check(check_unit)
       ->type_name("m|cm|mm|inch|FACTOR");
+  command
+      .add_option("--timed-rounding", reading.timed_rounding,
+                  "Where frames with times go (.seq): to the first frame at or after their time, "
+                  "the last at or before it, or none: slerp interpolates")
+      ->check(CLI::IsMember({"ceil", "floor", "slerp"}))
+      ->default_str("ceil")
+      ->type_name("HOW");
+  command.add_flag("--keep-times", reading.keeps_times,
+                   "Leave frames with times at their times (.seq)");
   command.add_flag("--lenient", reading.is_lenient,
                    "Repair the faults that docs/errors.md names, with a warning each");
   command.add_flag("--strict", reading.is_strict, "Take warnings for errors");
@@ -90,6 +99,9 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   options.positions = position_mode(reading.positions);
   options.fps = reading.fps;
   options.skeleton_name = reading.skeleton;
+  if (reading.timed_rounding == "floor") options.timed_rounding = TimedRounding::Floor;
+  if (reading.timed_rounding == "slerp") options.timed_rounding = TimedRounding::Slerp;
+  options.keeps_times = reading.keeps_times;
   if (!reading.unit_in.empty()) options.metres_per_unit = metres_of(reading.unit_in);
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   return read_file(path, format, options, diagnostics);
@@ -104,6 +116,36 @@ std::optional<Document> load(const std::string& path, const Reading& reading,
   if (!diagnostics.has_errors()) print_error(document.error(), globals);
   exit_code = worse(exit_code, exit_code_of(document.error()));
   return std::nullopt;
+}
+
+Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostics& diagnostics) {
+  if (reading.skeleton.empty()) return std::optional<Document>();
+  Reading skeleton_reading = reading;
+  skeleton_reading.from.clear();
+  skeleton_reading.encoding.clear();
+  skeleton_reading.skeleton.clear();
+  auto skeleton = load_quietly(reading.skeleton, skeleton_reading, diagnostics);
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  if (!has_skeleton(*skeleton)) {
+    return fail(make_error(ErrorKind::Usage, "CLI001",
+                           fmt::format("'{}' holds no skeleton", reading.skeleton)));
+  }
+  return std::optional<Document>(std::move(*skeleton));
+}
+
+Result<Motion> motion_in_world(Document& document, const Reading& reading,
+                               Diagnostics& diagnostics) {
+  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
+  if (const Skeleton* skeleton = std::get_if<Skeleton>(&document.content)) {
+    Motion still{*skeleton, {}};
+    still.clip.num_coordinates = skeleton->coordinates.size();
+    return still;
+  }
+  const BodyMotion& body = std::get<BodyMotion>(document.content);
+  const auto model = load_skeleton(reading, diagnostics);
+  if (!model) return fail(model.error());
+  if (!*model) return motion_of_links(body);
+  return pose(body, skeleton_of(**model), reading.is_lenient, diagnostics);
 }
 
 int usage_error(const Globals& globals, const std::string& message) {

@@ -25,6 +25,14 @@ void print_table(const TimeMap& map) {
 
 }  // namespace
 
+RetimeOptions retime_options(const Retiming& retiming) {
+  RetimeOptions options;
+  options.rotation = rotation_of(retiming.rotation);
+  options.antialias = retiming.has_antialias;
+  options.lenient = retiming.reading.is_lenient;
+  return options;
+}
+
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table) {
   command
       .add_option("--rotation", retiming.rotation,
@@ -53,9 +61,21 @@ void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table)
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,
                                     const Globals& globals, int& exit_code) {
   auto document = load(path, reading, globals, exit_code);
-  if (!document || std::holds_alternative<Motion>(document->content)) return document;
-  exit_code = usage_error(globals, fmt::format("'{}' holds a skeleton alone, no motion", path));
+  if (!document) return document;
+  const BodyMotion* body = std::get_if<BodyMotion>(&document->content);
+  if (std::holds_alternative<Motion>(document->content)) return document;
+  if (body != nullptr && main_component(*body) != nullptr) return document;
+  exit_code = usage_error(globals, fmt::format("'{}' holds no motion", path));
   return std::nullopt;
+}
+
+Clip clip_of(const Document& document) {
+  if (const Motion* motion = std::get_if<Motion>(&document.content)) return motion->clip;
+  const Component& main = *main_component(std::get<BodyMotion>(document.content));
+  Clip clip;
+  clip.num_frames = main.num_frames;
+  clip.timeline = main.timeline;
+  return clip;
 }
 
 int finish_retiming(Result<TimeMap> map, Document&& document, const std::string& path,
@@ -69,16 +89,9 @@ int finish_retiming(Result<TimeMap> map, Document&& document, const std::string&
   }
   Result<void> made;
   if (map) {
-    RetimeOptions options;
-    options.rotation = rotation_of(retiming.rotation);
-    options.antialias = retiming.has_antialias;
-    options.lenient = retiming.reading.is_lenient;
-    auto retimed = retime(std::get<Motion>(document.content), *map, options, diagnostics);
-    if (retimed) {
-      document.content = std::move(*retimed);
-    } else {
-      made = fail(std::move(retimed.error()));
-    }
+    const RetimeOptions options = retime_options(retiming);
+    made = change_motion(
+        document, [&](const Motion& motion) { return retime(motion, *map, options, diagnostics); });
   } else {
     made = fail(std::move(map.error()));
   }

@@ -17,12 +17,19 @@ struct Retiming {
   Reading reading;
 };
 
+/// How rotations are to be found, and so on.
+RetimeOptions retime_options(const Retiming& retiming);
+
 /// Gives a command the options of `Retiming`; `--table` if it may print its map.
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table);
 
-/// Reads a motion; reports why there is none.
+/// Reads a motion or a body motion; reports why there is none.
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,
                                     const Globals& globals, int& exit_code);
+
+/// The clip whose frames a document's times are said in: a motion's, or a body motion's main
+/// component.
+Clip clip_of(const Document& document);
 
 /// Ends a command: prints the map, or shows the motion by it and writes that. Reports errors.
 int finish_retiming(Result<TimeMap> map, Document&& document, const std::string& path,

@@ -58,9 +58,10 @@ std::vector<WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
   return keys;
 }
 
-Result<TimeMap> make_map(const Warp& warp, const Motion& motion, Diagnostics& diagnostics) {
+Result<TimeMap> make_map(const Warp& warp, const Document& document, Diagnostics& diagnostics) {
+  const Clip clip = clip_of(document);
   WarpOptions options;
-  options.keys = keys_of(warp, motion.clip.timeline);
+  options.keys = keys_of(warp, clip.timeline);
   if (warp.tail == "extend") options.tail = Tail::Extend;
   if (warp.tail == "uniform") options.tail = Tail::Uniform;
   if (warp.curve == "pchip") options.curve = WarpCurve::Pchip;
@@ -70,11 +71,16 @@ Result<TimeMap> make_map(const Warp& warp, const Motion& motion, Diagnostics& di
   options.allow_hold = warp.allows_hold;
   options.allow_reverse = warp.allows_reverse;
   if (warp.follows_contacts) {
-    auto weights = contact_weights(motion, diagnostics);
+    const Motion* motion = std::get_if<Motion>(&document.content);
+    if (motion == nullptr) {
+      return fail(make_error(ErrorKind::Usage, "CLI002",
+                             "expected a motion with a skeleton for --contacts, found components"));
+    }
+    auto weights = contact_weights(*motion, diagnostics);
     if (!weights) return fail(std::move(weights.error()));
     options.weights = std::move(*weights);
   }
-  return warp_map(motion.clip.num_frames, options);
+  return warp_map(clip.num_frames, options);
 }
 
 int run(const Warp& warp, const Globals& globals) {
@@ -83,7 +89,7 @@ int run(const Warp& warp, const Globals& globals) {
   if (!document) return exit_code;
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = warp.retiming.reading.is_strict;
-  auto map = make_map(warp, std::get<Motion>(document->content), diagnostics);
+  auto map = make_map(warp, *document, diagnostics);
   return finish_retiming(std::move(map), std::move(*document), warp.file, warp.retiming,
                          diagnostics, globals);
 }

@@ -34,6 +34,32 @@ const Format* output_format(const Writing& writing) {
   return writing.to.empty() ? format_of_name(writing.out) : find_format(writing.to);
 }
 
+Result<void> change_components(BodyMotion& body, bool must_agree,
+                               const std::function<Result<Motion>(const Motion&)>& change) {
+  const Component* main = main_component(body);
+  for (const Component& component : body.components) {
+    const bool is_known = component.kind != ComponentKind::Other;
+    if (!must_agree || !is_known ||
+        (component.num_frames == main->num_frames &&
+         frame_rate(component.timeline) == frame_rate(main->timeline))) {
+      continue;
+    }
+    return fail(make_error(
+        ErrorKind::Usage, "CLI002",
+        fmt::format("expected components of one length and rate, found {} frames at {} a second of "
+                    "'{}' beside {} at {}",
+                    component.num_frames, frame_rate(component.timeline), component.content,
+                    main->num_frames, frame_rate(main->timeline))));
+  }
+  for (Component& component : body.components) {
+    if (component.kind == ComponentKind::Other) continue;
+    auto changed = change(motion_of_component(component));
+    if (!changed) return fail(std::move(changed.error()));
+    component = with_frames_of(component, *changed);
+  }
+  return {};
+}
+
 int no_output_format(const Writing& writing, const Globals& globals) {
   return usage_error(globals,
                      fmt::format("'{}' shows no format by its name; --to names it", writing.out));
@@ -46,13 +72,30 @@ const Format* output_format(const Writing& writing, const Document& input) {
 
 namespace {
 
-/// Reads the skeleton that the output is to have.
-Result<Document> load_skeleton(const Reading& reading, Diagnostics& diagnostics) {
-  Reading skeleton_reading = reading;
-  skeleton_reading.from.clear();
-  skeleton_reading.encoding.clear();
-  skeleton_reading.skeleton.clear();
-  return load_quietly(reading.skeleton, skeleton_reading, diagnostics);
+KindOptions kind_options(const Writing& writing, const Reading& reading) {
+  KindOptions options;
+  options.lenient = reading.is_lenient;
+  if (writing.form == "links") options.form = BodyForm::Links;
+  if (writing.form == "joints") options.form = BodyForm::Joints;
+  if (writing.form == "both") options.form = BodyForm::Both;
+  options.keeps_up = writing.up == "as-is";
+  if (writing.up == "y") options.up = 1;
+  if (writing.up == "z") options.up = 2;
+  return options;
+}
+
+/// Brings a document into a kind that the format can write, on the robot that `--skeleton` names.
+Result<Document> in_wanted_kind(Document&& document, const Format& format, const Writing& writing,
+                                const Reading& reading, Diagnostics& diagnostics) {
+  KindOptions options = kind_options(writing, reading);
+  std::optional<Document> model;
+  if (std::holds_alternative<BodyMotion>(document.content)) {
+    auto loaded = load_skeleton(reading, diagnostics);
+    if (!loaded) return fail(std::move(loaded.error()));
+    model = std::move(*loaded);
+    if (model) options.model = &skeleton_of(*model);
+  }
+  return in_kind_of(format, std::move(document), options, diagnostics);
 }
 
 Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
@@ -61,16 +104,21 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   channels.lenient = reading.is_lenient;
   const auto kept = document.extras.file.find("positions");
   channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
-  WriteOptions options;
+  WriteOptions options = writing.format;
   options.decimals = writing.decimals;
-  const bool has_named_skeleton = !reading.skeleton.empty() && !format.companion.empty();
+  const bool was_body = std::holds_alternative<BodyMotion>(document.content);
+  auto of_kind = in_wanted_kind(std::move(document), format, writing, reading, diagnostics);
+  if (!of_kind) return fail(std::move(of_kind.error()));
+  document = std::move(*of_kind);
+  const bool has_named_skeleton =
+      !reading.skeleton.empty() && !format.companion.empty() && !was_body;
   std::optional<Document> skeleton;
   if (has_named_skeleton) {
     Diagnostics ignored;  // a motion that needs it has told of it already
     const bool is_new = document.format != format.name;
     auto loaded = load_skeleton(reading, is_new ? diagnostics : ignored);
     if (!loaded) return fail(std::move(loaded.error()));
-    skeleton = std::move(*loaded);
+    skeleton = std::move(**loaded);
     if (is_new) {
       auto moved = on_skeleton_of(*skeleton, std::move(document), diagnostics);
       if (!moved) return fail(std::move(moved.error()));

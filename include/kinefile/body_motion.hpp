@@ -69,6 +69,10 @@ struct BodyMotion {
 const Component* find_component(const BodyMotion& motion, ComponentKind kind,
                                 std::string_view content);
 
+/// The component whose length and rate are the motion's: link poses, else joint displacements, else
+/// the first that kinefile knows; null if there is none.
+const Component* main_component(const BodyMotion& motion);
+
 /// The rotation of a pose as a quaternion w x y z, as it is.
 /// \param pose  of `component.width()` numbers
 std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> pose);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
+#include "kinefile/body_bridge.hpp"
 #include "kinefile/channels.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/format.hpp"
@@ -14,6 +17,22 @@ namespace kinefile {
 ///                  be said, with a warning each
 /// \errors those of bridge.hpp and of `with_channels`
 Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
+                            Diagnostics& diagnostics);
+
+/// How a motion becomes a body motion, or the other way around.
+struct KindOptions {
+  std::optional<BodyForm> form = std::nullopt;  ///< absent: as it is; joints of a robot, else links
+  const Skeleton* model = nullptr;              ///< the robot of a body motion; null: none
+  std::optional<std::size_t> up = std::nullopt;  ///< the axis that is to point up, 1 y or 2 z;
+                                                 ///< absent: z for body motions, y for BVH and ASF
+  bool keeps_up = false;  ///< leaves the axes as they are
+  bool lenient = false;
+};
+
+/// Brings a document into a kind that a format can write: a motion for BVH, ASF, AMC and CSV, a
+/// body motion for .seq. What had to be taken for granted is told in notes.
+/// \errors those of body_bridge.hpp; CNV002 (Usage) if there is no way
+Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics);
 
 /// Whether two documents are written alike in a format: whether a motion still fits the skeleton

@@ -4,6 +4,7 @@
 /// The whole public interface of kinefile.
 
 #include "kinefile/anomalies.hpp"
+#include "kinefile/body_bridge.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/bridge.hpp"
 #include "kinefile/channels.hpp"

@@ -17,6 +17,16 @@ const Component* find_component(const BodyMotion& motion, ComponentKind kind,
   return found == motion.components.rend() ? nullptr : &*found;
 }
 
+const Component* main_component(const BodyMotion& motion) {
+  if (const auto* links = find_component(motion, ComponentKind::Poses, kLinkPosition)) return links;
+  const auto* joints = find_component(motion, ComponentKind::Values, kJointDisplacement);
+  if (joints != nullptr) return joints;
+  const auto known = std::find_if(
+      motion.components.begin(), motion.components.end(),
+      [](const Component& component) { return component.kind != ComponentKind::Other; });
+  return known == motion.components.end() ? nullptr : &*known;
+}
+
 std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> pose) {
   if (form == PoseForm::Quaternion) return {pose[3], pose[4], pose[5], pose[6]};
   // Each entry as Choreonoid writes it out, so that not even the last bit differs.

@@ -91,13 +91,77 @@ void print_clip(text::Printer& printer, const Motion& motion) {
                  [&](std::size_t f) { print_array(printer, motion.clip.row(f)); });
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
-  text::Printer printer(sink, options.decimals);
+std::string_view type_name(ComponentKind kind) {
+  constexpr std::array<std::string_view, 4> kNames = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq",
+                                                      ""};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// A frame: numbers of values and of a vector, arrays of a frame's poses with their quaternions.
+void print_frame(text::Printer& printer, const Component& component, std::size_t frame) {
+  const auto row = component.row(frame);
+  if (component.kind != ComponentKind::Poses) {
+    print_array(printer, row);
+    return;
+  }
+  print_elements(printer, component.num_parts, ",", [&](std::size_t part) {
+    const auto pose = row.subspan(part * component.width(), component.width());
+    const auto q = quaternion_of_pose(component.pose_form, pose);
+    print_array(printer, std::array<double, 7>{pose[0], pose[1], pose[2], q[0], q[1], q[2], q[3]});
+  });
+}
+
+void print_component(text::Printer& printer, const Component& component) {
+  printer.print("{\"type\":");
+  printer.print(text::json_string(type_name(component.kind)));
+  printer.print(",\"content\":");
+  printer.print(text::json_string(component.content));
+  printer.print(",\"frame_rate\":");
+  print_number(printer, nominal_frame_rate(component.timeline));
+  printer.print(fmt::format(",\"num_parts\":{}", component.num_parts));
+  if (component.kind == ComponentKind::Poses) printer.print(",\"se3_format\":\"XYZQWQXQYQZ\"");
+  printer.print(",\"is_root_relative\":");
+  printer.print(component.is_root_relative ? "true" : "false");
+  if (!component.timeline.times.empty()) {
+    printer.print(",\"times\":");
+    print_array(printer, component.timeline.times);
+  }
+  printer.print(",\"frames\":");
+  print_elements(printer, component.num_frames, ",\n  ",
+                 [&](std::size_t f) { print_frame(printer, component, f); });
+  printer.print('}');
+}
+
+/// Prints the components whose frames kinefile knows.
+void print_body_motion(text::Printer& printer, const BodyMotion& motion, Diagnostics& diagnostics) {
+  std::vector<const Component*> known;
+  for (const Component& component : motion.components) {
+    if (component.kind != ComponentKind::Other) known.push_back(&component);
+  }
+  if (known.size() < motion.components.size()) {
+    diagnostics.add(Severity::Warning, "JSN001", "components of unknown type are left out");
+  }
+  printer.print("{\"components\":");
+  print_elements(printer, known.size(), ",\n",
+                 [&](std::size_t i) { print_component(printer, *known[i]); });
+  printer.print("}\n");
+}
+
+void print_motion(text::Printer& printer, const Document& document) {
   printer.print("{\"skeleton\":");
   print_skeleton(printer, skeleton_of(document));
   if (const Motion* motion = std::get_if<Motion>(&document.content)) print_clip(printer, *motion);
   printer.print("}\n");
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics& diagnostics) {
+  text::Printer printer(sink, options.decimals);
+  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
+    print_body_motion(printer, *motion, diagnostics);
+  } else {
+    print_motion(printer, document);
+  }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
 }

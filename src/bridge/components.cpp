@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// Components of body motions as motions of loose parts, and back.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/words.hpp"
+#include "kinefile/body_bridge.hpp"
+
+namespace kinefile {
+namespace {
+
+constexpr std::array<const char*, 7> kFreeChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr std::array<const char*, 6> kRpyChannels = {"x", "y", "z", "roll", "pitch", "yaw"};
+
+std::string part_name(const Component& component, std::size_t part) {
+  if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
+    return fmt::format("link{}", part);
+  }
+  if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
+    return fmt::format("joint{}", part);
+  }
+  return component.kind == ComponentKind::Vectors ? component.content
+                                                  : fmt::format("{}{}", component.content, part);
+}
+
+void add_column(Skeleton& skeleton, const char* channel) {
+  skeleton.coordinates.push_back({skeleton.joints.size() - 1, channel});
+}
+
+void add_translations(Skeleton& skeleton, std::size_t count) {
+  constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    const std::size_t column = skeleton.coordinates.size();
+    add_column(skeleton, count == 1 ? "q" : kNames[axis]);
+    skeleton.joints.back().dofs.push_back(
+        {DofKind::Translation, Vec3::Unit(static_cast<Eigen::Index>(axis)), column, 0});
+  }
+}
+
+void add_pose(Skeleton& skeleton, PoseForm form) {
+  const std::size_t first = skeleton.coordinates.size();
+  if (form == PoseForm::Quaternion) {
+    for (const char* channel : kFreeChannels) add_column(skeleton, channel);
+    skeleton.joints.back().dofs.push_back({DofKind::Free, Vec3::UnitX(), first, 0});
+    return;
+  }
+  for (const char* channel : kRpyChannels) add_column(skeleton, channel);
+  auto& dofs = skeleton.joints.back().dofs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    dofs.push_back({DofKind::Translation, Vec3::Unit(static_cast<Eigen::Index>(k)), first + k, 0});
+  }
+  for (std::size_t k = 3; k-- > 0;) {  // Rz(yaw) Ry(pitch) Rx(roll)
+    dofs.push_back({DofKind::Rotation, Vec3::Unit(static_cast<Eigen::Index>(k)), first + 3 + k, 0});
+  }
+}
+
+/// Adds the joints and columns of one skeleton to another.
+void append_parts(const Skeleton& from, Skeleton& to) {
+  const std::size_t first_joint = to.joints.size();
+  const std::size_t first_column = to.coordinates.size();
+  for (Joint joint : from.joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate += first_column;
+    to.joints.push_back(std::move(joint));
+  }
+  for (Coordinate coordinate : from.coordinates) {
+    coordinate.joint += first_joint;
+    to.coordinates.push_back(std::move(coordinate));
+  }
+}
+
+}  // namespace
+
+Motion motion_of_component(const Component& component) {
+  Motion motion;
+  Skeleton& skeleton = motion.skeleton;
+  skeleton.angle_unit = AngleUnit::Radians;
+  skeleton.metres_per_unit = 1;
+  for (std::size_t part = 0; part < component.num_parts; ++part) {
+    skeleton.joints.emplace_back().name = part_name(component, part);
+    if (component.kind == ComponentKind::Poses) {
+      add_pose(skeleton, component.pose_form);
+    } else {
+      add_translations(skeleton, component.width());
+    }
+  }
+  motion.clip.num_frames = component.num_frames;
+  motion.clip.num_coordinates = component.row_size();
+  motion.clip.values = component.values;
+  motion.clip.timeline = component.timeline;
+  return motion;
+}
+
+Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) {
+  const Component* main = main_component(motion);
+  std::vector<Motion> parts;
+  std::vector<std::string> left_out;
+  for (const Component& component : motion.components) {
+    const bool is_known = component.kind != ComponentKind::Other;
+    if (is_known && component.num_frames == main->num_frames) {
+      parts.push_back(motion_of_component(component));
+    } else {
+      left_out.push_back(component.content);
+    }
+  }
+  if (!left_out.empty()) {
+    diagnostics.add(Severity::Warning, "BRG014",
+                    fmt::format("components of another length or of unknown type are left out: {}",
+                                listed(left_out)));
+  }
+  Motion all;
+  if (parts.empty()) return all;
+  all.skeleton.angle_unit = AngleUnit::Radians;
+  all.skeleton.metres_per_unit = 1;
+  all.clip.timeline = main->timeline;
+  all.clip.num_frames = main->num_frames;
+  for (const Motion& part : parts) append_parts(part.skeleton, all.skeleton);
+  all.clip.num_coordinates = all.skeleton.coordinates.size();
+  all.clip.values.reserve(all.clip.num_frames * all.clip.num_coordinates);
+  for (std::size_t f = 0; f < all.clip.num_frames; ++f) {
+    for (const Motion& part : parts) {
+      const auto row = part.clip.row(f);
+      all.clip.values.insert(all.clip.values.end(), row.begin(), row.end());
+    }
+  }
+  return all;
+}
+
+Component with_frames_of(const Component& component, const Motion& motion) {
+  Component changed = component;
+  changed.num_frames = motion.clip.num_frames;
+  changed.values = motion.clip.values;
+  changed.timeline = motion.clip.timeline;
+  return changed;
+}
+
+Result<Motion> motion_of_links(const BodyMotion& motion) {
+  const Component* links = find_component(motion, ComponentKind::Poses, kLinkPosition);
+  if (links == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "BRG010",
+                           "expected poses of links (LinkPosition), found none; joints alone need "
+                           "a model: --skeleton names one"));
+  }
+  return motion_of_component(*links);
+}
+
+namespace {
+
+/// The joints that move freely, and where their columns begin in the old and the new clip.
+struct FreedJoint {
+  std::size_t old_column;
+  std::size_t new_column;
+};
+
+/// Turns a row's free pose into positions and angles, the latter nearest to those before.
+void free_row(std::span<const double> pose, std::span<double> out, Vec3& near) {
+  const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
+  Quat q(pose[3], pose[4], pose[5], pose[6]);
+  q = q.squaredNorm() > 0 ? q.normalized() : Quat::Identity();
+  near = euler_angles(q.toRotationMatrix(), axes, near);
+  std::copy_n(pose.begin(), 3, out.begin());
+  for (std::size_t k = 0; k < 3; ++k) out[3 + k] = near[static_cast<Eigen::Index>(k)];
+}
+
+}  // namespace
+
+Motion without_free_joints(const Motion& motion) {
+  Motion changed{motion.skeleton, {}};
+  Skeleton& skeleton = changed.skeleton;
+  skeleton.coordinates.clear();
+  std::vector<FreedJoint> freed;
+  std::vector<std::size_t> old_columns;  // of the new columns that stay
+  std::vector<std::size_t> new_of_old(motion.clip.num_coordinates, 0);
+  std::vector<std::size_t> first_free(motion.clip.num_coordinates, kNoParent);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    if (moves_freely(skeleton.joints[j])) first_free[skeleton.joints[j].dofs[0].coordinate] = j;
+  }
+  constexpr std::array<const char*, 6> kChannels = {"Xposition", "Yposition", "Zposition",
+                                                    "Zrotation", "Yrotation", "Xrotation"};
+  for (std::size_t c = 0; c < motion.skeleton.coordinates.size(); ++c) {
+    const std::size_t joint = first_free[c];
+    const std::size_t column = skeleton.coordinates.size();
+    if (joint == kNoParent) {
+      new_of_old[c] = column;
+      old_columns.push_back(c);
+      skeleton.coordinates.push_back(motion.skeleton.coordinates[c]);
+      continue;
+    }
+    freed.push_back({c, column});
+    for (const char* channel : kChannels) skeleton.coordinates.push_back({joint, channel});
+    old_columns.insert(old_columns.end(), 6, kNoParent);
+    c += 6;  // the seven of the joint
+  }
+  const double radians = radians_per(skeleton.angle_unit);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    Joint& joint = skeleton.joints[j];
+    if (!moves_freely(joint)) {
+      for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
+      continue;
+    }
+    const auto own = std::find_if(freed.begin(), freed.end(), [&](const FreedJoint& candidate) {
+      return candidate.old_column == joint.dofs[0].coordinate;
+    });
+    std::array<double, 6> rest{};
+    Vec3 near = Vec3::Zero();
+    free_row(joint.free_rest, rest, near);
+    joint.dofs.clear();
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k < 3 ? k : 5 - k);
+      joint.dofs.push_back({k < 3 ? DofKind::Translation : DofKind::Rotation, Vec3::Unit(axis),
+                            own->new_column + k, k < 3 ? rest[k] : rest[k] / radians});
+    }
+  }
+  Clip& clip = changed.clip;
+  clip.num_frames = motion.clip.num_frames;
+  clip.num_coordinates = skeleton.coordinates.size();
+  clip.timeline = motion.clip.timeline;
+  clip.values.resize(clip.num_frames * clip.num_coordinates);
+  std::vector<Vec3> near(freed.size(), Vec3::Zero());
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const auto from = motion.clip.row(f);
+    const auto to = clip.row(f);
+    for (std::size_t c = 0; c < old_columns.size(); ++c) {
+      if (old_columns[c] != kNoParent) to[c] = from[old_columns[c]];
+    }
+    for (std::size_t i = 0; i < freed.size(); ++i) {
+      const auto out = to.subspan(freed[i].new_column, 6);
+      free_row(from.subspan(freed[i].old_column, 7), out, near[i]);
+      for (std::size_t k = 3; k < 6; ++k) out[k] /= radians;
+    }
+  }
+  return changed;
+}
+
+}  // namespace kinefile

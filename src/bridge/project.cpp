@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Motions as body motions: links in the world, or a root and its joints.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/robot.hpp"
+#include "kinefile/body_bridge.hpp"
+
+namespace kinefile {
+namespace {
+
+constexpr std::size_t kRootColumns = 7;
+
+Component component_like(ComponentKind kind, std::string_view content, const Motion& motion,
+                         std::size_t num_parts) {
+  Component component;
+  component.kind = kind;
+  component.content = content;
+  component.num_parts = num_parts;
+  component.num_frames = motion.clip.num_frames;
+  component.timeline = motion.clip.timeline;
+  component.values.reserve(component.num_frames * component.row_size());
+  return component;
+}
+
+Component links_of(const Motion& motion) {
+  const double scale = motion.skeleton.metres_per_unit > 0 ? motion.skeleton.metres_per_unit : 1.0;
+  Component links =
+      component_like(ComponentKind::Poses, kLinkPosition, motion, motion.skeleton.joints.size());
+  std::vector<Quat> before(links.num_parts, Quat::Identity());
+  const std::size_t block = frames_per_block(motion.skeleton);
+  for (std::size_t first = 0; first < motion.clip.num_frames; first += block) {
+    const WorldPoses poses =
+        forward_kinematics(motion.skeleton, motion.clip,
+                           {.first_frame = first, .num_frames = block, .rotations = true});
+    for (std::size_t i = 0; i < poses.num_frames * poses.num_joints; ++i) {
+      const double* p = poses.positions.data() + i * 3;
+      const double* r = poses.rotations.data() + i * 4;
+      Quat& last = before[i % poses.num_joints];
+      last = on_side_of(Quat(r[0], r[1], r[2], r[3]), last);
+      for (std::size_t k = 0; k < 3; ++k) links.values.push_back(p[k] * scale);
+      const double numbers[] = {last.w(), last.x(), last.y(), last.z()};
+      links.values.insert(links.values.end(), numbers, numbers + 4);
+    }
+  }
+  return links;
+}
+
+/// The columns from one to another as a component.
+Component columns_of(const Motion& motion, std::size_t begin, std::size_t end,
+                     Component component) {
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const auto row = motion.clip.row(f).subspan(begin, end - begin);
+    component.values.insert(component.values.end(), row.begin(), row.end());
+  }
+  return component;
+}
+
+}  // namespace
+
+Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion* other,
+                           Diagnostics&) {
+  BodyMotion body;
+  const bool wants_joints = form != BodyForm::Links;
+  if (wants_joints && !is_robot(motion.skeleton)) {
+    return fail(make_error(ErrorKind::Usage, "BRG013",
+                           "expected a robot's motion, whose root moves freely and whose joints "
+                           "move in one way each; --form links takes any motion"));
+  }
+  const bool wants_links = form != BodyForm::Joints;
+  if (wants_links) {
+    body.components.push_back(links_of(motion));
+  } else {
+    body.components.push_back(columns_of(
+        motion, 0, kRootColumns, component_like(ComponentKind::Poses, kLinkPosition, motion, 1)));
+  }
+  const std::size_t num_columns = motion.clip.num_coordinates;
+  if (wants_joints && num_columns > kRootColumns) {
+    body.components.push_back(columns_of(motion, kRootColumns, num_columns,
+                                         component_like(ComponentKind::Values, kJointDisplacement,
+                                                        motion, num_columns - kRootColumns)));
+  }
+  if (other == nullptr) return body;
+  for (const Component& component : other->components) {
+    if (component.content == kLinkPosition || component.content == kJointDisplacement) continue;
+    body.components.push_back(component);
+  }
+  return body;
+}
+
+Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
+                            Diagnostics& diagnostics) {
+  const Component* links = find_component(motion, ComponentKind::Poses, kLinkPosition);
+  const Component* zmp = find_component(motion, ComponentKind::Vectors, kZmp);
+  if (zmp == nullptr || links == nullptr || links->num_frames == 0) {
+    return fail(make_error(ErrorKind::Usage, "BRG010",
+                           "expected a ZMP and poses of the root link, found not both"));
+  }
+  BodyMotion changed = motion;
+  if (zmp->is_root_relative == is_root_relative) return changed;
+  if (zmp->num_frames > links->num_frames) {
+    diagnostics.add(Severity::Warning, "BRG014",
+                    fmt::format("there are {} frames of ZMP and {} of links; the last root pose "
+                                "counts for the others",
+                                zmp->num_frames, links->num_frames));
+  }
+  Component& out = changed.components[static_cast<std::size_t>(zmp - motion.components.data())];
+  out.is_root_relative = is_root_relative;
+  for (std::size_t f = 0; f < out.num_frames; ++f) {
+    const auto root = links->row(std::min(f, links->num_frames - 1)).first(links->width());
+    const Quat rotation = bridging::rotation_of(*links, root);
+    const Vec3 position(root[0], root[1], root[2]);
+    const auto row = out.row(f);
+    const Vec3 point(row[0], row[1], row[2]);
+    const Vec3 moved = is_root_relative ? rotation.conjugate() * (point - position)
+                                        : Vec3(rotation * point + position);
+    std::copy_n(moved.data(), 3, row.begin());
+  }
+  return changed;
+}
+
+}  // namespace kinefile

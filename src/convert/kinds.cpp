@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Motions for formats of motions, body motions for formats of those.
+
+#include <fmt/format.h>
+
+#include "kinefile/convert.hpp"
+#include "kinefile/edit.hpp"
+
+namespace kinefile {
+namespace {
+
+/// A figure whose rest pose is larger than this is taken to be measured in centimetres.
+constexpr double kTallestInMetres = 10;
+
+/// What one unit of a motion's lengths is in metres, guessed where the file does not say.
+double settle_unit(const Skeleton& skeleton, Diagnostics& diagnostics) {
+  if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
+  const double size = rest_size(skeleton);
+  const bool is_in_metres = !(size > kTallestInMetres);
+  diagnostics.add(Severity::Note, "CNV003",
+                  fmt::format("the file does not say its unit of length; the rest pose is {:.3g} "
+                              "units large and taken to be in {} (--unit-in says otherwise)",
+                              size, is_in_metres ? "metres" : "centimetres"));
+  return is_in_metres ? 1 : 0.01;
+}
+
+Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& options,
+                         Diagnostics& diagnostics) {
+  const std::size_t up = options.up.value_or(usual);
+  if (options.keeps_up || guess_up_axis(motion) == up) return motion;
+  diagnostics.add(Severity::Note, "CNV004",
+                  fmt::format("the motion is turned so that {} points up (--up as-is leaves it)",
+                              up == 1 ? 'y' : 'z'));
+  return with_up_axis(motion, up, diagnostics);
+}
+
+Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
+  const bool is_of_robot = is_robot(motion.skeleton);
+  const BodyForm usual = is_of_robot ? BodyForm::Joints : BodyForm::Links;
+  if (!is_of_robot) {
+    motion.skeleton.metres_per_unit = settle_unit(motion.skeleton, diagnostics);
+    auto turned = turned_up(std::move(motion), 2, options, diagnostics);
+    if (!turned) return fail(std::move(turned.error()));
+    motion = std::move(*turned);
+  }
+  return project(motion, options.form.value_or(usual), nullptr, diagnostics);
+}
+
+Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
+                           Diagnostics& diagnostics) {
+  if (options.model == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a model for --form, found none; --skeleton names one"));
+  }
+  const auto posed = pose(body, *options.model, options.lenient, diagnostics);
+  if (!posed) return fail(posed.error());
+  if (!is_robot(posed->skeleton)) {
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a root pose with a quaternion for --form; convert it with "
+                           "--se3-format XYZQWQXQYQZ first"));
+  }
+  return project(*posed, *options.form, &body, diagnostics);
+}
+
+void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnostics) {
+  for (const Component& component : body.components) {
+    const bool is_link = component.content == kLinkPosition;
+    const bool is_joint = component.content == kJointDisplacement && has_model;
+    if (is_link || is_joint) continue;
+    diagnostics.add(Severity::Warning, "CNV005",
+                    fmt::format("the component '{}' is left out: the output has no place for it",
+                                component.content));
+  }
+}
+
+Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
+                         Diagnostics& diagnostics) {
+  tell_dropped(body, options.model != nullptr, diagnostics);
+  auto posed = options.model != nullptr ? pose(body, *options.model, options.lenient, diagnostics)
+                                        : motion_of_links(body);
+  if (!posed) return posed;
+  return turned_up(without_free_joints(*posed), 1, options, diagnostics);
+}
+
+}  // namespace
+
+Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
+                            Diagnostics& diagnostics) {
+  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  const auto put = [&](auto&& made) -> Result<Document> {
+    if (!made) return fail(std::move(made.error()));
+    document.content = std::move(*made);
+    return std::move(document);
+  };
+  if (format.name == "choreonoid") {
+    if (body != nullptr && !options.form) return document;
+    if (body != nullptr) return put(in_form(*body, options, diagnostics));
+    if (motion != nullptr) return put(body_of(*motion, options, diagnostics));
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a motion to write as .seq, found a skeleton alone"));
+  }
+  if (body == nullptr || format.name == "json") return document;
+  document.extras = {};
+  document.format.clear();
+  if (format.name == "csv") {
+    return put(Result<Motion>(motion_of_components(*body, diagnostics)));
+  }
+  return put(motion_of(*body, options, diagnostics));
+}
+
+}  // namespace kinefile

@@ -83,7 +83,9 @@ class ComponentParser {
     parse_rate();
     parse_num_parts();
     if (component_.kind == ComponentKind::Poses) parse_pose_format();
-    if (const auto is_relative = boolean(kRootRelative)) component_.is_root_relative = *is_relative;
+    if (component_.kind == ComponentKind::Vectors) {
+      component_.is_root_relative = boolean(kRootRelative).value_or(false);
+    }
     parse_has_time();
     component_.unknown_keys = keep_unknown(reader_, node_);
     parse_frames();

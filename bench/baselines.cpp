@@ -2,8 +2,10 @@
 #include "baselines.hpp"
 
 #include <fast_float/fast_float.h>
+#include <yaml.h>
 
 #include <array>
+#include <cstdlib>
 #include <fstream>
 
 namespace kinefile::bench {
@@ -102,6 +104,24 @@ std::vector<double> warped_with_eigen(const Motion& motion, const TimeMap& map) 
     }
   }
   return rows;
+}
+
+double sum_with_libyaml(std::string_view text) {
+  yaml_parser_t parser;
+  yaml_parser_initialize(&parser);
+  yaml_parser_set_input_string(&parser, reinterpret_cast<const unsigned char*>(text.data()),
+                               text.size());
+  double sum = 0;
+  yaml_event_t event;
+  for (bool is_done = false; !is_done && yaml_parser_parse(&parser, &event) != 0;) {
+    if (event.type == YAML_SCALAR_EVENT) {
+      sum += std::strtod(reinterpret_cast<const char*>(event.data.scalar.value), nullptr);
+    }
+    is_done = event.type == YAML_STREAM_END_EVENT;
+    yaml_event_delete(&event);
+  }
+  yaml_parser_delete(&parser);
+  return sum;
 }
 
 std::vector<double> positions_with_eigen(const Motion& motion) {

@@ -24,6 +24,10 @@ double sum_words_with_fast_float(std::string_view text);
 /// Reads the numbers of a BVH file with `ifstream >>` and adds them up.
 double sum_with_ifstream(const std::string& path);
 
+/// Goes over a YAML text with libyaml, event by event, and adds up its scalars as `strtod` reads
+/// them: the core of Choreonoid's reader.
+double sum_with_libyaml(std::string_view text);
+
 /// Positions of all joints and frames, a frame at a time: for each joint the product of three
 /// Eigen rotation matrices, then of the parent's.
 /// \returns [frame][joint][3]

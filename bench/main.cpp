@@ -27,6 +27,7 @@ struct Subject {
   std::string folder;
   std::string path;
   std::string amc_path;
+  std::string seq_path;
   Motion motion;
 };
 
@@ -69,6 +70,22 @@ void read_amc_bare_loop(benchmark::State& state) {
   for (auto _ : state) {
     const auto bytes = FileBytes::open(subject().amc_path);
     benchmark::DoNotOptimize(sum_words_with_fast_float(bytes->view()));
+  }
+}
+
+void read_seq_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    Diagnostics diagnostics;
+    auto document = read_file(subject().seq_path, find_format("choreonoid"), {}, diagnostics);
+    if (!document) state.SkipWithError("not read");
+    benchmark::DoNotOptimize(document);
+  }
+}
+
+void read_seq_libyaml(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().seq_path);
+    benchmark::DoNotOptimize(sum_with_libyaml(bytes->view()));
   }
 }
 
@@ -179,23 +196,29 @@ class Reporter : public benchmark::ConsoleReporter {
   std::map<std::string, double> best_;
 };
 
-/// The most memory that a process needed which read the file and placed all joints, as a multiple
-/// of the file's size.
-double peak_memory_ratio() {
+/// The most memory that a process needed which did some work on a file, as a multiple of the file's
+/// size.
+template <class Work>
+double peak_memory_ratio(const std::string& path, const Work& work) {
   const pid_t child = fork();
-  if (child == 0) {
-    const Document document = read_subject();
-    const Motion& motion = std::get<Motion>(document.content);
-    const Box box = world_extent(motion.skeleton, motion.clip);
-    _exit(box.min.allFinite() ? 0 : 1);
-  }
+  if (child == 0) _exit(work() ? 0 : 1);
   int status = 0;
-  waitpid(child, &status, 0);
-  if (status != 0) return std::nan("");
   rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const double size = static_cast<double>(std::filesystem::file_size(subject().path));
-  return static_cast<double>(usage.ru_maxrss) * 1024 / size;
+  wait4(child, &status, 0, &usage);
+  if (status != 0) return std::nan("");
+  return static_cast<double>(usage.ru_maxrss) * 1024 /
+         static_cast<double>(std::filesystem::file_size(path));
+}
+
+bool reads_and_places() {
+  const Document document = read_subject();
+  const Motion& motion = std::get<Motion>(document.content);
+  return world_extent(motion.skeleton, motion.clip).min.allFinite();
+}
+
+bool reads_seq() {
+  Diagnostics diagnostics;
+  return read_file(subject().seq_path, nullptr, {}, diagnostics).has_value();
 }
 
 /// The largest distance of the two ways to place joints, as a share of the largest coordinate.
@@ -219,6 +242,27 @@ void write_or_exit(const std::string& path, const Document& document, const char
   std::exit(1);
 }
 
+/// A root and 30 joints, some 50 MB as text.
+BodyMotion make_robot_motion() {
+  constexpr std::size_t kSeqFrames = 70'000;
+  BodyMotion motion;
+  const auto add = [&motion](ComponentKind kind, std::string_view content, std::size_t parts) {
+    Component& component = motion.components.emplace_back();
+    component.kind = kind;
+    component.content = content;
+    component.num_parts = parts;
+    component.num_frames = kSeqFrames;
+    component.timeline.given = Timeline::Given::FrameRate;
+    component.timeline.value = 500;
+    for (std::size_t i = 0; i < kSeqFrames * component.row_size(); ++i) {
+      component.values.push_back(std::sin(0.37 * static_cast<double>(i)));
+    }
+  };
+  add(ComponentKind::Poses, kLinkPosition, 1);
+  add(ComponentKind::Values, kJointDisplacement, 30);
+  return motion;
+}
+
 void prepare() {
   std::string folder = std::filesystem::temp_directory_path() / "kinefile-bench.XXXXXX";
   if (mkdtemp(folder.data()) == nullptr) {
@@ -228,12 +272,16 @@ void prepare() {
   subject().folder = folder;
   subject().path = folder + "/walk.bvh";
   subject().amc_path = folder + "/walk.amc";
+  subject().seq_path = folder + "/robot.seq";
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
   write_or_exit(subject().path, document, "bvh");
   Diagnostics diagnostics;
   const auto bones = adapted_to(*find_format("amc"), std::move(document), {}, diagnostics);
   write_or_exit(subject().amc_path, bones.value(), "amc");
+  Document robot;
+  robot.content = make_robot_motion();
+  write_or_exit(subject().seq_path, robot, "choreonoid");
 }
 
 int run(int argc, char** argv) {
@@ -246,7 +294,9 @@ int run(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   prepare();
-  const double memory = peak_memory_ratio();  // before this process has grown
+  // Before this process has grown.
+  const double memory = peak_memory_ratio(subject().path, reads_and_places);
+  const double seq_memory = peak_memory_ratio(subject().seq_path, reads_seq);
   subject().motion = std::get<Motion>(read_subject().content);
   const auto add = [](const char* benchmark_name, void (*function)(benchmark::State&)) {
     benchmark::RegisterBenchmark(benchmark_name, function)
@@ -259,6 +309,8 @@ int run(int argc, char** argv) {
   add("read/ifstream", read_ifstream);
   add("read_amc/kinefile", read_amc_kinefile);
   add("read_amc/bare_fast_float_loop", read_amc_bare_loop);
+  add("read_seq/kinefile", read_seq_kinefile);
+  add("read_seq/libyaml_strtod", read_seq_libyaml);
   add("fk/kinefile", fk_kinefile);
   add("fk/eigen_per_frame", fk_eigen);
   add("write/kinefile", write_kinefile);
@@ -272,8 +324,10 @@ int run(int argc, char** argv) {
   print_ratio(reporter, "reading a file, against a bare fast_float loop", "read/kinefile",
               "read/bare_fast_float_loop");
   print_ratio(reporter, "reading a file, against ifstream >>", "read/kinefile", "read/ifstream");
-  print_ratio(reporter, "reading AMC, against a bare fast_float loop",
-              "read_amc/kinefile", "read_amc/bare_fast_float_loop");
+  print_ratio(reporter, "reading AMC, against a bare fast_float loop", "read_amc/kinefile",
+              "read_amc/bare_fast_float_loop");
+  print_ratio(reporter, "reading .seq, against libyaml's events and strtod", "read_seq/kinefile",
+              "read_seq/libyaml_strtod");
   print_ratio(reporter, "forward kinematics, against a plain Eigen loop", "fk/kinefile",
               "fk/eigen_per_frame");
   print_ratio(reporter, "warping time, against a plain Eigen slerp loop", "warp/kinefile",
@@ -281,6 +335,7 @@ int run(int argc, char** argv) {
   print_ratio(reporter, "warping time with cubics, against the same", "warp/kinefile_cubic",
               "warp/eigen_slerp");
   fmt::print("{:<58}{:.2f}\n", "peak memory, as a multiple of the file's size", memory);
+  fmt::print("{:<58}{:.2f}\n", "peak memory of reading .seq, likewise", seq_memory);
   fmt::print("{:<58}{:.1e}\n", "largest difference of the two kinematics, relative",
              disagreement());
   fmt::print("{:<58}{:.1e}\n", "largest difference of the two warps, relative",

@@ -25,7 +25,7 @@ struct KindOptions {
   const Skeleton* model = nullptr;              ///< the robot of a body motion; null: none
   std::optional<std::size_t> up = std::nullopt;  ///< the axis that is to point up, 1 y or 2 z;
                                                  ///< absent: z for body motions, y for BVH and ASF
-  bool keeps_up = false;  ///< leaves the axes as they are
+  bool keeps_up = false;                         ///< leaves the axes as they are
   bool lenient = false;
 };
 

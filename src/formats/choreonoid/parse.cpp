@@ -338,14 +338,6 @@ void check_type(const Reader& reader, const Node& top, const SeqFile& file) {
                at);
 }
 
-/// Whether a text has comments, which YAML readers pass over.
-bool has_comments(std::string_view text) {
-  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
-    if (at == 0 || text::is_blank(text[at - 1]) || text::is_line_end(text[at - 1])) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 SeqFile parse(const Reader& reader) {
@@ -358,7 +350,7 @@ SeqFile parse(const Reader& reader) {
     return file;
   }
   file.is_json = top.is_flow;
-  file.has_comments = has_comments(reader.source.text());
+  file.has_comments = reader.tree.has_comments();
   file.is_snake_case = find(top, kVersion.snake) != nullptr || find(top, kRate.snake) != nullptr;
   parse_version(reader, top, file);
   check_type(reader, top, file);

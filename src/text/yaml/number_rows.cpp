@@ -2,6 +2,7 @@
 #include "text/yaml/number_rows.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "text/numbers.hpp"
 
@@ -36,16 +37,19 @@ struct MoreLines {
   bool may_be_indented_by_tabs = false;
 };
 
-MoreLines more_lines(const char* begin, const char* end) {
+MoreLines more_lines(const char* begin, const char* end, bool may_have_returns) {
   MoreLines lines;
-  bool has_tab = false;
+  const auto size = static_cast<std::size_t>(end - begin);
+  // Nearly all rows are on one line.
+  const bool has_break = std::memchr(begin, '\n', size) != nullptr ||
+                         (may_have_returns && std::memchr(begin, '\r', size) != nullptr);
+  if (!has_break) return lines;
   for (const char* p = begin; p != end; ++p) {
-    has_tab |= *p == '\t';
+    lines.may_be_indented_by_tabs |= *p == '\t';
     if (!is_line_end(*p) || (*p == '\r' && p[1] == '\n')) continue;
     ++lines.count;
     lines.last = p + 1;
   }
-  lines.may_be_indented_by_tabs = has_tab && lines.count > 0;
   return lines;
 }
 
@@ -56,10 +60,15 @@ bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
     values_.clear();
     num_popped_ = 0;
   }
+  if (!is_looked_through_) {
+    const auto size = static_cast<std::size_t>(cursor.end() - cursor.position());
+    has_returns_ = std::memchr(cursor.position(), '\r', size) != nullptr;
+    is_looked_through_ = true;
+  }
   const std::size_t num_before = values_.size();
   const char* const end = read_groups(cursor.position(), cursor.end());
   if (end != nullptr && is_alone(end, cursor.end(), is_in_flow)) {
-    const MoreLines lines = more_lines(cursor.position(), end);
+    const MoreLines lines = more_lines(cursor.position(), end, has_returns_);
     shape = index_of_shape();
     if (shape < kMostShapes && !lines.may_be_indented_by_tabs) {
       cursor.jump(end, lines.count, lines.last);

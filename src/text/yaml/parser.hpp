@@ -51,6 +51,8 @@ class Parser {
   /// Goes on to the next event. False after a fault.
   bool next(Event& event);
   const std::optional<Fault>& fault() const { return fault_; }
+  /// Whether there were comments so far.
+  bool has_comments() const { return scanner_.has_comments(); }
 
  private:
   enum class State {

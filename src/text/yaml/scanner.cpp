@@ -71,6 +71,7 @@ void Scanner::insert(std::size_t number, Token token) {
 }
 
 void Scanner::skip_comment() {
+  has_comments_ = true;
   while (!cursor_.is_at_end() && !cursor_.is_break()) cursor_.skip();
 }
 

@@ -34,6 +34,8 @@ class Scanner {
   void pop();
 
   const std::optional<Fault>& fault() const { return fault_; }
+  /// Whether there were comments so far.
+  bool has_comments() const { return has_comments_; }
   /// Keeps a text as long as this lives.
   std::string_view keep(std::string text) { return kept_.emplace_back(std::move(text)); }
 
@@ -109,6 +111,7 @@ class Scanner {
   std::size_t num_taken_ = 0;
   std::optional<TokenKind> last_;  ///< the kind of the token that was fetched last
   bool is_ended_ = false;
+  bool has_comments_ = false;
   bool allows_key_ = true;  ///< whether a key of one line may start here
   std::ptrdiff_t indent_ = -1;
   std::vector<std::ptrdiff_t> indents_;

@@ -52,6 +52,8 @@ class Tree {
   const RowShape& shape(std::size_t index) const { return rows_.shape(index); }
   /// How many numbers a row of a shape has.
   std::size_t num_values(std::size_t index) const { return rows_.num_values(index); }
+  /// Whether the document has comments, which a tree does not hold.
+  bool has_comments() const { return parser_->has_comments(); }
   /// Takes the rows out of a sequence of the tree, which has some.
   std::unique_ptr<RowEntries> take_rows(const Node& sequence);
 

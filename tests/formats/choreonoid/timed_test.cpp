@@ -83,6 +83,34 @@ TEST(SeqTimed, TheDocumentsPosesInEveryOrderOfNumbers) {
   }
 }
 
+TEST(SeqTimed, TheDocumentsJointsUnderFloor) {
+  const ReadText same = read_seq(example_of_joints(), rounded(TimedRounding::Floor));
+  EXPECT_EQ(text_of(same.diagnostics), "");
+  EXPECT_EQ(components_of(same).at(0).values,
+            components_of(read_seq(example_of_joints())).at(0).values);
+  // At 4 frames a second the times lie between frames: 0, 0.4, 1.2, 1.6 and 2.8 periods.
+  const ReadText ceil = read_seq(example_of_joints(), rounded(TimedRounding::Ceil, 4));
+  EXPECT_EQ(codes_of(ceil.diagnostics), std::vector<std::string>{"SEQ021"});
+  EXPECT_EQ(components_of(ceil).at(0).values, (Values{0, 0, 0.01, 0.01, 0.02, 0.03, 2, 0.04}));
+  const ReadText floor = read_seq(example_of_joints(), rounded(TimedRounding::Floor, 4));
+  EXPECT_EQ(codes_of(floor.diagnostics), (std::vector<std::string>{"SEQ021", "SEQ021"}));
+  EXPECT_EQ(components_of(floor).at(0).values, (Values{0.01, 0.01, 0.02, 0.03, 2, 0.04}));
+}
+
+TEST(SeqTimed, TheDocumentsExamplesUnderSlerp) {
+  const ReadText read = read_seq(example_of_joints(), rounded(TimedRounding::Slerp));
+  EXPECT_EQ(text_of(read.diagnostics), "");
+  const Values expected = {0,    0,    0.01, 0.01,    0.01, 0.015,    0.01, 0.02,
+                           0.02, 0.03, 0.68, 0.1 / 3, 1.34, 0.11 / 3, 2,    0.04};
+  const Values& values = components_of(read).at(0).values;
+  ASSERT_EQ(values.size(), expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-14) << i;
+  const Values x = values_of(read_seq(example_of_poses(), rounded(TimedRounding::Slerp)));
+  const Values expected_x = {-2, -3, -3.5, -4, -5, -16.0 / 3, -17.0 / 3, -6};
+  ASSERT_EQ(x.size(), expected_x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], expected_x[i], 1e-14) << i;
+}
+
 TEST(SeqTimed, AFrameGoesToTheFirstOneAtOrAfterItsTime) {
   const std::string text = first_joint({{"0", "1"}, {"0.11", "2"}, {"0.3", "3"}});
   EXPECT_EQ(values_of(read_seq(text)), (Values{1, 1, 2, 3}));

@@ -3,6 +3,9 @@
 // follow from its rule: a frame goes to the first one at or after its time and holds until the
 // next.
 
+#include <array>
+#include <cmath>
+
 #include "support/seq.hpp"
 
 namespace kinefile::test {

@@ -39,6 +39,11 @@ void check_round_trip(const Document& document, const ReadOptions& options, Yaml
   Diagnostics diagnostics;
   const auto again = find_format("choreonoid")->read(text, options, diagnostics);
   require(again.has_value());
+  // JSON's keys are words alone; others may become the same one.
+  if (diagnostics.count_of("YML009", Severity::Warning) > 0) {
+    require(style == YamlStyle::Json || kept(document.extras.file, "style") == "json");
+    return;
+  }
   const auto& first = std::get<BodyMotion>(document.content).components;
   const auto& second = std::get<BodyMotion>(again->content).components;
   require(first.size() == second.size());

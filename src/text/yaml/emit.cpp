@@ -256,10 +256,7 @@ void emit_json(const Node& node, std::string& out) {
   } else {
     for (std::size_t i = 0; i + 1 < node.children.size(); i += 2) {
       separate();
-      std::string key;
-      emit_flow(*node.children[i], key);
-      const bool is_scalar = node.children[i]->kind == NodeKind::Scalar;
-      out += json_string(is_scalar ? node.children[i]->text : std::string_view(key)) + ": ";
+      out += json_key(*node.children[i]) + ": ";
       emit_json(*node.children[i + 1], out);
     }
   }
@@ -288,6 +285,13 @@ std::string json_text(const Node& node) {
   std::string text;
   emit_json(node, text);
   return text;
+}
+
+std::string json_key(const Node& key) {
+  if (key.kind == NodeKind::Scalar) return json_string(key.text);
+  std::string text;
+  emit_flow(key, text);
+  return json_string(text);
 }
 
 std::string indented(std::string_view lines, std::size_t num_blanks) {

@@ -54,5 +54,14 @@ TEST(SeqJson, JsonHoldsWhatIsUnknown) {
   EXPECT_EQ(again(written), written);
 }
 
+TEST(SeqJson, KeysThatAreNoWordsBecomeWords) {
+  const std::string text = seq_of({"  -\n    type: Other\n    ? [ 1, 2 ]\n    : 3\n"},
+                                  "? { a: b }\n: c\n? [ d ]\n: e\n");
+  const auto json = nlohmann::json::parse(as_json(text));
+  EXPECT_EQ(json["{ a : b }"], "c");
+  EXPECT_EQ(json["[ d ]"], "e");
+  EXPECT_EQ(json["components"][0]["[ 1, 2 ]"], 3);
+}
+
 }  // namespace
 }  // namespace kinefile::test

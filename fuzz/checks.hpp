@@ -24,8 +24,22 @@ inline void check_reading(const Result<Document>& document, const Diagnostics& d
   }
 }
 
+/// What holds for every body motion: as many values and times as each component says.
+inline void check_components(const BodyMotion& motion) {
+  for (const Component& component : motion.components) {
+    require(component.values.size() == component.num_frames * component.row_size());
+    const auto& times = component.timeline.times;
+    require(times.empty() || times.size() == component.num_frames);
+    require(component.num_parts > 0);
+  }
+}
+
 /// What holds for every document: a valid skeleton, as many values as it says, finite work.
 inline void check_document(const Document& document) {
+  if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    check_components(*body);
+    return;
+  }
   require(validate(skeleton_of(document)).has_value());
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (motion == nullptr) return;
@@ -38,11 +52,12 @@ inline void check_document(const Document& document) {
 }
 
 /// Writes a document, which must succeed.
-inline std::string written(const Document& document, std::string_view format) {
+inline std::string written(const Document& document, std::string_view format,
+                           const WriteOptions& options = {}) {
   std::string text;
   Diagnostics diagnostics;
   const auto result = find_format(format)->write(
-      document, {},
+      document, options,
       [&text](std::string_view piece) {
         text += piece;
         return true;

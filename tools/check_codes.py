@@ -12,7 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CODE = re.compile(r"\b([A-Z]{3}[0-9]{3}|IO[0-9]{3})\b")
 
 # The folder of each format's codes.
-FOLDERS = {"BVH": "bvh", "ASF": "acclaim", "AMC": "acclaim"}
+FOLDERS = {"BVH": "bvh", "ASF": "acclaim", "AMC": "acclaim", "SEQ": "choreonoid",
+           "YML": "choreonoid"}
 
 # Codes that no file alone brings about; the tests that show them.
 NOT_BY_A_FILE = {
@@ -24,6 +25,9 @@ NOT_BY_A_FILE = {
     "BVH034": "tests/formats/bvh/read_test.cpp",   # --positions auto
     "BVH036": "tests/formats/bvh/write_test.cpp",  # writing
     "BVH037": "tests/formats/bvh/write_test.cpp",  # writing
+    "SEQ025": "tests/formats/choreonoid/write_test.cpp",  # writing
+    "SEQ026": "tests/formats/choreonoid/write_test.cpp",  # writing
+    "SEQ027": "tests/formats/choreonoid/write_test.cpp",  # writing
 }
 
 

@@ -35,4 +35,5 @@ run_pair() {
 
 run_pair bvh_read_fuzz bvh bvh_round_trip_fuzz bvh
 run_pair asf_read_fuzz acclaim amc_read_fuzz acclaim
+run_pair seq_read_fuzz choreonoid yaml_differential_fuzz choreonoid
 exit $failed

@@ -70,13 +70,32 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
+namespace {
+
+/// The code of a character of several bytes that a text starts with and that YAML does not allow
+/// in a text, or takes for a line's end; 0 for others.
+unsigned unsafe_in_yaml(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (text.size() >= 2 && byte(0) == 0xC2 && byte(1) < 0xA0) return byte(1);
+  if (text.size() < 3) return 0;
+  if (text.starts_with("\xE2\x80") && (byte(2) & 0xFEu) == 0xA8) return 0x2000u + (byte(2) & 0x3Fu);
+  if (text.starts_with("\xEF\xBF") && byte(2) >= 0xBE) return 0xFFC0u + (byte(2) & 0x3Fu);
+  return 0;
+}
+
+}  // namespace
+
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       quoted += '\\';
       quoted += c;
+    } else if (const unsigned code = byte < 0x80 ? 0 : unsafe_in_yaml(text.substr(i))) {
+      quoted += fmt::format("\\u{:04x}", code);
+      i += code < 0x100 ? 1 : 2;
     } else if (byte < 0x20 || byte == 0x7F) {
       quoted += fmt::format("\\u{:04x}", byte);
     } else {

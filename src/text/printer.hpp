@@ -43,7 +43,7 @@ class Printer {
 /// A field of a CSV table, quoted as RFC 4180 says where it must be.
 std::string csv_field(std::string_view text);
 
-/// A text as a JSON string, with its quotes. \param text UTF-8
+/// A text as a JSON string, with its quotes, which YAML reads the same. \param text UTF-8
 std::string json_string(std::string_view text);
 
 }  // namespace kinefile::text

@@ -104,7 +104,12 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   SeqFile file = parse(reader);
   for (SeqComponent& component : file.components) {
     if (diagnostics.has_errors()) break;
-    if (component.has_times && !options.keeps_times) resample_timed(reader, component);
+    if (!component.has_times) continue;
+    if (options.keeps_times) {
+      check_kept_times(reader, component);
+    } else {
+      resample_timed(reader, component);
+    }
   }
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   note_contents(reader, file);

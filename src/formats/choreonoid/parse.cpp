@@ -81,14 +81,16 @@ class ComponentParser {
     parse_content();
     if (!parse_kind()) return std::move(component_);
     parse_rate();
-    parse_num_parts();
-    if (component_.kind == ComponentKind::Poses) parse_pose_format();
     if (component_.kind == ComponentKind::Vectors) {
       component_.is_root_relative = boolean(kRootRelative).value_or(false);
     }
+    const std::size_t num_errors = reader_.diagnostics.count(Severity::Error);
+    parse_num_parts();
+    if (component_.kind == ComponentKind::Poses) parse_pose_format();
     parse_has_time();
+    const bool knows_shape = reader_.diagnostics.count(Severity::Error) == num_errors;
     component_.unknown_keys = keep_unknown(reader_, node_);
-    parse_frames();
+    parse_frames(knows_shape);
     return std::move(component_);
   }
 
@@ -260,7 +262,8 @@ class ComponentParser {
     }
   }
 
-  void parse_frames() {
+  /// \param knows_shape  whether the keys before them say what a frame looks like
+  void parse_frames(bool knows_shape) {
     const Node* frames = find(node_, "frames");
     if (frames == nullptr || frames->kind != NodeKind::Sequence) {
       reader_.error(code::kNoFrames,
@@ -269,10 +272,10 @@ class ComponentParser {
                     frames == nullptr ? node_.at : frames->at);
       return;
     }
-    if (frames->children.empty() && !frames->rows) {
-      reader_.warn_rejected("there are no frames", frames->at);
-    }
-    if (!component_.has_times && !component_.frame_rate && !reader_.options.fps) {
+    const bool has_frames = frames->rows || !frames->children.empty();
+    if (!has_frames) reader_.warn_rejected("there are no frames", frames->at);
+    const bool has_times = component_.has_times && has_frames;
+    if (!has_times && !component_.frame_rate && !reader_.options.fps) {
       const bool was_given = value(kRate) != nullptr;  // then it has been reported
       if (!was_given) {
         reader_.error(code::kNoRate,
@@ -281,7 +284,7 @@ class ComponentParser {
                       node_.at);
       }
     }
-    choreonoid::parse_frames(reader_, *frames, component_);
+    if (knows_shape) choreonoid::parse_frames(reader_, *frames, component_);
   }
 
   const Reader& reader_;
@@ -312,6 +315,7 @@ void parse_version(const Reader& reader, const Node& top, SeqFile& file) {
     return;
   }
   file.major = 4;
+  file.version = "4";
   reader.repair(code::kBadVersion,
                 fmt::format("expected a format version below 5, found {}", quoted(node->text)),
                 "it is read as 4", node->at);

@@ -20,6 +20,9 @@ using text::yaml::RowShape;
 /// More parts than any file has; with more, there are no frames (see `parse_frames`).
 constexpr std::size_t kMostParts = std::size_t{1} << 30;
 
+/// The parts that frames may have without any number to see.
+constexpr std::size_t kMostUnseenParts = 10'000;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A whole number of hexadecimal digits, "0x1F".
@@ -70,6 +73,7 @@ std::size_t numbers_in_first_frame(const Reader& reader, const Node& frames) {
 }
 
 const char* first_frame(const Node& frames) {
+  if (!frames.rows && frames.children.empty()) return frames.at;
   if (!frames.rows) return frames.children.front()->at;
   const RowEntries::Entry& entry = frames.rows->entries.front();
   return entry.node == nullptr ? entry.text.data() : entry.node->at;
@@ -98,7 +102,8 @@ class FrameReader {
       read_rows(frames);
       return;
     }
-    component_.values.reserve(frames.children.size() * component_.num_parts * width_);
+    component_.values.reserve(
+        std::min(frames.children.size() * component_.num_parts * width_, frames.size));
     for (const Node* frame : frames.children) read_node(*frame);
   }
 
@@ -350,10 +355,11 @@ std::optional<double> read_number(const Reader& reader, const Node& node) {
 void parse_frames(const Reader& reader, const Node& frames, SeqComponent& component) {
   // A count is a claim: it may not be what memory is taken for.
   const std::size_t num_numbers = numbers_in_first_frame(reader, frames);
-  if (component.num_parts > num_numbers && num_numbers > 0) {
+  if (component.num_parts > (num_numbers > 0 ? num_numbers : kMostUnseenParts)) {
     reader.error(code::kBadFrame,
-                 fmt::format("expected frames of {} parts, found one of {} numbers",
-                             component.num_parts, num_numbers),
+                 fmt::format("expected frames of {} parts, found {}", component.num_parts,
+                             num_numbers > 0 ? fmt::format("one of {} numbers", num_numbers)
+                                             : std::string("no numbers")),
                  first_frame(frames));
     return;
   }

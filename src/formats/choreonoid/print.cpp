@@ -120,7 +120,7 @@ class SeqPrinter {
       return;
     }
     for_each_pair(text, [&](const text::yaml::Node& name, const text::yaml::Node& value) {
-      entry(0, text::json_string(name.text), text::yaml::json_text(value));
+      entry(0, text::yaml::json_key(name), text::yaml::json_text(value));
     });
   }
 
@@ -182,7 +182,7 @@ class SeqPrinter {
       for_each_pair(printed.unknown_keys, [&](const auto&, const auto&) { ++num_left; });
       for_each_pair(printed.unknown_keys, [&](const auto& name, const auto& value) {
         --num_left;
-        line(0, fmt::format("{}: {}{}", text::json_string(name.text), text::yaml::json_text(value),
+        line(0, fmt::format("{}: {}{}", text::yaml::json_key(name), text::yaml::json_text(value),
                             num_left > 0 ? "," : ""));
       });
       return;

@@ -49,4 +49,7 @@ void parse_frames(const Reader& reader, const text::yaml::Node& frames, SeqCompo
 /// Makes the frames that the file gave with their times a steady sequence.
 void resample_timed(const Reader& reader, SeqComponent& component);
 
+/// Tells of times that frames cannot keep: each is to be above the one before.
+void check_kept_times(const Reader& reader, const SeqComponent& component);
+
 }  // namespace kinefile::choreonoid

@@ -26,6 +26,11 @@ struct Steady {
   std::size_t num_frames = 0;
 };
 
+std::string order_fault(double time, double before) {
+  return fmt::format("expected a time above that of the frame before, {} s, found {} s", before,
+                     time);
+}
+
 class Resampler {
  public:
   Resampler(const Reader& reader, SeqComponent& component, double rate)
@@ -77,8 +82,7 @@ class Resampler {
   }
 
   bool report_order(double time, double before, const char* at) const {
-    const std::string message = fmt::format(
-        "expected a time above that of the frame before, {} s, found {} s", before, time);
+    const std::string message = order_fault(time, before);
     if (is_floor()) {
       reader_.warn(code::kTimeNotAbove, message + "; it is read as Choreonoid does", at);
       return true;
@@ -214,6 +218,20 @@ void resample_timed(const Reader& reader, SeqComponent& component) {
     return;
   }
   Resampler(reader, component, *rate).run();
+}
+
+void check_kept_times(const Reader& reader, const SeqComponent& component) {
+  for (std::size_t i = 0; i < component.times.size(); ++i) {
+    const double time = component.times[i];
+    const char* at = component.time_places[i];
+    if (!std::isfinite(time) || time < 0) {
+      reader.error(code::kBadTime, fmt::format("expected a time from 0 s up, found {} s", time),
+                   at);
+    } else if (i > 0 && !(time > component.times[i - 1])) {
+      reader.repair(code::kTimeNotAbove, order_fault(time, component.times[i - 1]), "it is kept",
+                    at);
+    }
+  }
 }
 
 }  // namespace kinefile::choreonoid

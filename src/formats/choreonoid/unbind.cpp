@@ -9,6 +9,7 @@
 #include "formats/choreonoid/bind.hpp"
 #include "formats/choreonoid/codes.hpp"
 #include "kinefile/math.hpp"
+#include "text/numbers.hpp"
 
 namespace kinefile::choreonoid {
 namespace {
@@ -151,7 +152,8 @@ Result<PrintedComponent> unbind_component(const Component& component, int versio
 }
 
 int major_of(const std::string& version) {
-  return version.empty() ? 1 : std::max(1, version.front() - '0');
+  const double number = text::parse_number(version).value;
+  return number >= 1 && number < 5 ? static_cast<int>(number) : 1;
 }
 
 }  // namespace

@@ -32,21 +32,50 @@ std::string on_one_line(std::string_view row) {
   return text;
 }
 
-/// Whether a plain scalar can stand in flow style as it is.
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// Whether a plain scalar can stand in a block as it is: on one line, at the start of one, too.
+bool fits_block(std::string_view text) {
+  const bool has_break =
+      contains(text, "\n") || contains(text, "\xE2\x80\xA8") || contains(text, "\xE2\x80\xA9");
+  return !has_break && !text.starts_with("---") && !text.starts_with("...");
+}
+
+/// Whether it can stand in flow style as it is.
 bool fits_flow(std::string_view text) {
-  return !text.empty() && text.find_first_of(",[]{}\n") == std::string_view::npos &&
-         text.find(": ") == std::string_view::npos && !text.ends_with(':') &&
-         text.find(" #") == std::string_view::npos && text.find(":,") == std::string_view::npos;
+  return !text.empty() && fits_block(text) &&
+         text.find_first_of(",[]{}") == std::string_view::npos && !text.starts_with('?') &&
+         !text.starts_with(':') && !contains(text, ": ") && !contains(text, ":?") &&
+         !text.ends_with(':') && !contains(text, " #");
+}
+
+/// A tag as it is written, with a blank behind it; nothing where there is none.
+std::string tag_text(std::string_view tag) {
+  if (tag.empty()) return "";
+  if (tag == "!") return "! ";
+  std::string text = "!<";
+  for (const char c : tag) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                          (c >= 'A' && c <= 'Z') || contains("-_;/?:@&=+$.!~*'(),[]", {&c, 1});
+    text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return text + "> ";
 }
 
 std::string scalar_text(const Node& node, bool is_in_flow) {
-  std::string text;
-  if (!node.tag.empty()) text = node.tag == "!" ? "! " : fmt::format("!<{}> ", node.tag);
+  std::string text = tag_text(node.tag);
   if (!node.is_plain()) return text + json_string(node.text);
   if (node.text.empty()) return text + (is_in_flow || !text.empty() ? "null" : "");
-  const bool is_plain =
-      is_in_flow ? fits_flow(node.text) : node.text.find('\n') == std::string_view::npos;
+  const bool is_plain = is_in_flow ? fits_flow(node.text) : fits_block(node.text);
   return text + (is_plain ? std::string(node.text) : json_string(node.text));
+}
+
+/// A key that starts like something else, or is long, is none without a sign.
+bool needs_key_sign(const Node& key, std::string_view text) {
+  constexpr std::size_t kLongest = 1000;
+  return key.kind != NodeKind::Scalar || text.size() > kLongest;
 }
 
 void emit_flow(const Node& node, std::string& out) {
@@ -54,6 +83,7 @@ void emit_flow(const Node& node, std::string& out) {
     out += scalar_text(node, true);
     return;
   }
+  out += tag_text(node.tag);
   const bool is_sequence = node.kind == NodeKind::Sequence;
   out += is_sequence ? "[" : "{";
   bool is_first = true;
@@ -75,9 +105,10 @@ void emit_flow(const Node& node, std::string& out) {
   } else {
     for (std::size_t i = 0; i + 1 < node.children.size(); i += 2) {
       separate();
-      out += node.children[i]->kind == NodeKind::Scalar ? "" : "? ";
-      emit_flow(*node.children[i], out);
-      out += " : ";
+      std::string key;
+      emit_flow(*node.children[i], key);
+      if (needs_key_sign(*node.children[i], key)) out += "? ";
+      out += key + " : ";
       emit_flow(*node.children[i + 1], out);
     }
   }
@@ -97,7 +128,10 @@ void emit_block(const Node& node, std::size_t indent, std::string& out);
 /// Behind "-" or ":".
 void emit_value(const Node& node, std::size_t indent, std::string& out) {
   if (!is_on_one_line(node)) {
-    if (!node.tag.empty()) out += fmt::format(" !<{}>", node.tag);
+    if (!node.tag.empty()) {
+      out += ' ' + tag_text(node.tag);
+      out.pop_back();
+    }
     out += '\n';
     emit_block(node, indent, out);
     return;
@@ -113,17 +147,10 @@ void emit_value(const Node& node, std::size_t indent, std::string& out) {
 
 void emit_entry(const Node& key, const Node& value, std::size_t indent, std::string& out) {
   out.append(indent, ' ');
-  if (key.kind == NodeKind::Scalar) {
-    // A key that starts like something else, or is long, is none on one line.
-    const std::string text = scalar_text(key, true);
-    constexpr std::size_t kLongest = 1000;
-    out += text.size() > kLongest ? "? " + text + "\n" + std::string(indent, ' ') : text;
-  } else {
-    out += "? ";
-    emit_flow(key, out);
-    out += '\n';
-    out.append(indent, ' ');
-  }
+  std::string text;
+  emit_flow(key, text);
+  const bool has_sign = needs_key_sign(key, text);
+  out += has_sign ? "? " + text + "\n" + std::string(indent, ' ') : text;
   out += ':';
   emit_value(value, indent + 2, out);
 }
@@ -229,10 +256,7 @@ void emit_json(const Node& node, std::string& out) {
   } else {
     for (std::size_t i = 0; i + 1 < node.children.size(); i += 2) {
       separate();
-      std::string key;
-      emit_flow(*node.children[i], key);
-      const bool is_scalar = node.children[i]->kind == NodeKind::Scalar;
-      out += json_string(is_scalar ? node.children[i]->text : std::string_view(key)) + ": ";
+      out += json_key(*node.children[i]) + ": ";
       emit_json(*node.children[i + 1], out);
     }
   }
@@ -261,6 +285,13 @@ std::string json_text(const Node& node) {
   std::string text;
   emit_json(node, text);
   return text;
+}
+
+std::string json_key(const Node& key) {
+  if (key.kind == NodeKind::Scalar) return json_string(key.text);
+  std::string text;
+  emit_flow(key, text);
+  return json_string(text);
 }
 
 std::string indented(std::string_view lines, std::size_t num_blanks) {

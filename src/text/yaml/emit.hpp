@@ -18,6 +18,9 @@ std::string block_text(const Node& node);
 /// A value as JSON on one line. What JSON has no word for becomes a string.
 std::string json_text(const Node& node);
 
+/// A key as a JSON string: of a list or mapping, what stands for it in flow style.
+std::string json_key(const Node& key);
+
 /// Lines, each with so many blanks before it.
 std::string indented(std::string_view lines, std::size_t num_blanks);
 

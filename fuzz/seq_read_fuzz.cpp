@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Any bytes as a body motion, read with any options: no crash, no hang, and either components that
+// hold what they say or an error with a place. What reads is written so that it reads the same, bit
+// for bit, with all that is unknown, and is written the same again; as JSON, too.
+
+#include <algorithm>
+
+#include "checks.hpp"
+
+namespace {
+
+using namespace kinefile;
+using namespace kinefile::fuzz;
+
+std::string kept(const std::map<std::string, std::string>& extras, const char* key) {
+  const auto found = extras.find(key);
+  return found == extras.end() ? "" : found->second;
+}
+
+void require_same(const Component& a, const Component& b, bool is_json) {
+  require(a.kind == b.kind);
+  if (a.kind == ComponentKind::Other) {
+    require(is_json || kept(a.extras, "text") == kept(b.extras, "text"));
+    return;
+  }
+  require(a.content == b.content);
+  require(a.num_parts == b.num_parts && a.num_frames == b.num_frames);
+  require(a.pose_form == b.pose_form && a.is_root_relative == b.is_root_relative);
+  require(same_values(a.values, b.values));
+  require(same_values(a.timeline.times, b.timeline.times));
+  require(frame_rate(a.timeline) == frame_rate(b.timeline));
+  // JSON has words of its own for what other YAML says.
+  require(is_json || kept(a.extras, "unknown_keys") == kept(b.extras, "unknown_keys"));
+}
+
+void check_round_trip(const Document& document, const ReadOptions& options, YamlStyle style) {
+  const WriteOptions to = {.style = style};
+  const std::string text = written(document, "choreonoid", to);
+  Diagnostics diagnostics;
+  const auto again = find_format("choreonoid")->read(text, options, diagnostics);
+  require(again.has_value());
+  // JSON's keys are words alone; others may become the same one.
+  if (diagnostics.count_of("YML009", Severity::Warning) > 0) {
+    require(style == YamlStyle::Json || kept(document.extras.file, "style") == "json");
+    return;
+  }
+  const auto& first = std::get<BodyMotion>(document.content).components;
+  const auto& second = std::get<BodyMotion>(again->content).components;
+  require(first.size() == second.size());
+  const bool is_json = style == YamlStyle::Json || kept(document.extras.file, "style") == "json";
+  for (std::size_t i = 0; i < first.size(); ++i) require_same(first[i], second[i], is_json);
+  require(is_json ||
+          kept(document.extras.file, "unknown_keys") == kept(again->extras.file, "unknown_keys"));
+  require(written(*again, "choreonoid", to) == text);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  ReadOptions options;
+  options.lenient = (data[0] & 1) != 0;
+  options.keeps_times = (data[0] & 2) != 0;
+  options.timed_rounding = static_cast<TimedRounding>((data[0] >> 2) % 3);
+  if ((data[0] & 16) != 0) options.fps = 25;
+  Diagnostics diagnostics;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  const auto document = find_format("choreonoid")->read(bytes, options, diagnostics);
+  check_reading(document, diagnostics);
+  if (!document) return 0;
+  check_document(*document);
+  check_round_trip(*document, options, YamlStyle::Kept);
+  check_round_trip(*document, options, YamlStyle::Json);
+  return 0;
+}

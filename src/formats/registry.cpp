@@ -4,6 +4,7 @@
 
 #include "base/words.hpp"
 #include "formats/acclaim/format.hpp"
+#include "formats/body/format.hpp"
 #include "formats/bvh/format.hpp"
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
@@ -14,7 +15,8 @@ namespace kinefile {
 
 std::span<const Format> formats() {
   static const std::array kFormats = {
-      bvh::format(), acclaim::asf_format(), acclaim::amc_format(), csv::format(), json::format(),
+      bvh::format(), acclaim::asf_format(), acclaim::amc_format(),
+      csv::format(), json::format(),        body::format(),
   };
   return kFormats;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "base/words.hpp"
 #include "formats/acclaim/format.hpp"
@@ -8,16 +8,27 @@
 #include "formats/bvh/format.hpp"
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
+#include "formats/urdf/format.hpp"
 #include "kinefile/format.hpp"
 #include "text/scanner.hpp"
 
 namespace kinefile {
 
-std::span<const Format> formats() {
-  static const std::array kFormats = {
+namespace {
+
+std::vector<Format> all_formats() {
+  std::vector<Format> all = {
       bvh::format(), acclaim::asf_format(), acclaim::amc_format(),
       csv::format(), json::format(),        body::format(),
   };
+  for (const Format& format : urdf::formats()) all.push_back(format);
+  return all;
+}
+
+}  // namespace
+
+std::span<const Format> formats() {
+  static const std::vector<Format> kFormats = all_formats();
   return kFormats;
 }
 

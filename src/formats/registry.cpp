@@ -9,6 +9,7 @@
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
 #include "formats/urdf/format.hpp"
+#include "formats/wrl/format.hpp"
 #include "kinefile/format.hpp"
 #include "text/scanner.hpp"
 
@@ -18,8 +19,8 @@ namespace {
 
 std::vector<Format> all_formats() {
   std::vector<Format> all = {
-      bvh::format(), acclaim::asf_format(), acclaim::amc_format(),
-      csv::format(), json::format(),        body::format(),
+      bvh::format(),  acclaim::asf_format(), acclaim::amc_format(), csv::format(),
+      json::format(), body::format(),        wrl::format(),
   };
   for (const Format& format : urdf::formats()) all.push_back(format);
   return all;

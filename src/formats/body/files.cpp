@@ -101,12 +101,12 @@ const File* Files::read(std::string name, std::string_view bytes, const std::str
   return file->tree ? file.get() : nullptr;
 }
 
-const robot::Robot* Files::robot(const File& file) {
+const robot::Robot* Files::robot(const File& file, const robot::Spot& spot) {
   const auto known = robots_.find(&file);
   if (known != robots_.end()) return known->second ? &*known->second : nullptr;
   const bool is_open = std::find(open_.begin(), open_.end(), &file) != open_.end();
   if (is_open || open_.size() == kMostOpenFiles) {
-    robot::Spot{file.source.get(), file.root().at}.report(
+    spot.report(
         diagnostics_, Severity::Error, code::kNestedFiles,
         is_open ? "expected files that do not name each other in a circle, found one that does"
                 : fmt::format("expected at most {} files, each named by the one before, found more",

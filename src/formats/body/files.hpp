@@ -45,7 +45,8 @@ class Files {
   std::optional<CompanionFile> find(const std::string& name, const robot::Spot& spot);
 
   /// The robot of a file; null after an error.
-  const robot::Robot* robot(const File& file);
+  /// \param spot  where the file is named
+  const robot::Robot* robot(const File& file, const robot::Spot& spot);
 
   const ReadOptions& options() const { return options_; }
   Diagnostics& diagnostics() { return diagnostics_; }

@@ -62,7 +62,10 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   if (wrapped.other_format != nullptr) {
     result = read_other(wrapped, files);
   } else {
-    const robot::Robot* robot = wrapped.file == nullptr ? nullptr : files.robot(*wrapped.file);
+    const robot::Robot* robot =
+        wrapped.file == nullptr
+            ? nullptr
+            : files.robot(*wrapped.file, {wrapped.file->source.get(), wrapped.file->root().at});
     auto document = robot == nullptr
                         ? std::nullopt
                         : robot::document_of(*robot, "body", code::kRobot, diagnostics);

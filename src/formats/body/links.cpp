@@ -46,7 +46,8 @@ class LinkReader {
     const Node* format = find_any(root, {"format"});
     if (format == nullptr || format->text != "ChoreonoidBody") {
       return fail(format == nullptr ? root : *format, code::kNotABody,
-                  "expected 'format: ChoreonoidBody', found something else");
+                  fmt::format("expected 'format: ChoreonoidBody', found {}",
+                              format == nullptr ? "none" : text::quoted(format->text)));
     }
     const Node* version = find_any(root, {"format_version", "formatVersion"});
     if (version == nullptr) return missing(*format, "a format_version");
@@ -208,7 +209,8 @@ class LinkReader {
                   fmt::format("expected a .body file as a SubBody, found a wrapper of {}",
                               text::quoted(wrapped.other_name)));
     }
-    const robot::Robot* other = wrapped.file == nullptr ? nullptr : files_.robot(*wrapped.file);
+    const robot::Robot* other =
+        wrapped.file == nullptr ? nullptr : files_.robot(*wrapped.file, spot);
     return other != nullptr && add_links(node, *other, spot);
   }
 

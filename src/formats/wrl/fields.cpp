@@ -30,8 +30,12 @@ bool read_string(Parser& parser, std::string_view field, std::string& out) {
   if (parser.lexer.peek().kind != TokenKind::String) {
     return parser.unexpected(fmt::format("a string as {}", field));
   }
-  out = content_of(parser.lexer.take());
-  return true;
+  const Token token = parser.lexer.take();
+  out = content_of(token);
+  const bool is_closed = token.text.size() > 1 && token.text.ends_with('"');
+  return is_closed || parser.fail(token, code::kUnexpectedEnd,
+                                  "expected a quote at the end of a string, found the end of the "
+                                  "file");
 }
 
 /// The first number of a list, or one without brackets; an empty list leaves it as it is.

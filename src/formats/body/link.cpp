@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/words.hpp"
@@ -20,95 +19,35 @@ using text::yaml::NodeKind;
 
 constexpr double kLargestId = 4e9;  // far beyond what is allowed, and a size on every machine
 
-/// Keys of a link that say nothing of its motion, or that the readers of nodes look at.
-constexpr auto kKnownKeys = std::to_array<std::string_view>({
-    "AMOR",
-    "actuationMode",
-    "actuation_mode",
-    "autoSleep",
-    "centerOfMass",
-    "center_of_mass",
-    "childLinks",
-    "collision",
-    "contactMaterial",
-    "contact_material",
-    "damping",
-    "density",
-    "devicePrefix",
-    "device_prefix",
-    "elements",
-    "gearRatio",
-    "gear_ratio",
-    "grouser_height",
-    "grouser_thickness",
-    "import",
-    "inertia",
-    "info",
-    "initialJointAngles",
-    "initial_joint_angles",
-    "isOptional",
-    "jointAngle",
-    "jointAxis",
-    "jointDisplacement",
-    "jointEffortRange",
-    "jointId",
-    "jointIdOffset",
-    "jointName",
-    "jointOffset",
-    "jointRange",
-    "jointType",
-    "jointVelocityRange",
-    "joint_angle",
-    "joint_axis",
-    "joint_displacement",
-    "joint_effort_range",
-    "joint_id",
-    "joint_id_offset",
-    "joint_name",
-    "joint_offset",
-    "joint_range",
-    "joint_type",
-    "joint_velocity_range",
-    "lights",
-    "mass",
-    "massType",
-    "material",
-    "maxJointEffort",
-    "maxJointVelocity",
-    "max_joint_effort",
-    "max_joint_velocity",
-    "name",
-    "numJoints",
-    "num_joints",
-    "parent",
-    "prefix",
-    "restitution",
-    "rotation",
-    "rotorInertia",
-    "rotor_inertia",
-    "rotorResistor",
-    "self_collision",
-    "sensors",
-    "suffix",
-    "torqueConst",
-    "encoderPulse",
-    "force_range",
-    "translation",
-    "type",
-    "uri",
-});
+/// The keys of links, between blanks: what the readers of nodes look at, and what moves nothing.
+/// In lower case and without underscores, since every key has two spellings.
+constexpr std::string_view kKnownKeys =
+    " "
+    "actuationmode amor autosleep centerofmass childlinks collision contactmaterial "
+    "damping density deviceprefix elements encoderpulse forcerange gearratio "
+    "grouserheight grouserthickness import inertia info initialjointangles isoptional "
+    "jointangle jointaxis jointdisplacement jointeffortrange jointid jointidoffset "
+    "jointname jointoffset jointrange jointtype jointvelocityrange lights mass masstype "
+    "material maxjointeffort maxjointvelocity name numjoints parent prefix restitution "
+    "rotation rotorinertia rotorresistor selfcollision sensors suffix torqueconst "
+    "translation type uri ";
 
 bool fail(Values& values, const Node& node, const char* code, std::string message) {
   values.error(node, code, std::move(message));
   return false;
 }
 
+bool is_known_key(std::string_view key) {
+  std::string word = lowered(key);
+  word.erase(std::remove(word.begin(), word.end(), '_'), word.end());
+  return word.find(' ') == std::string::npos &&
+         kKnownKeys.find(" " + word + " ") != std::string_view::npos;
+}
+
 void note_unknown_keys(Values& values, const Node& node) {
   for (std::size_t i = 0; i + 1 < node.children.size(); i += 2) {
     const Node& name = *node.children[i];
-    const bool is_known =
-        std::find(kKnownKeys.begin(), kKnownKeys.end(), name.text) != kKnownKeys.end();
-    if (is_known || name.kind != NodeKind::Scalar) continue;
+    if (name.kind != NodeKind::Scalar || is_known_key(name.text)) continue;
     values.spot(name).report(
         values.diagnostics, Severity::Note, code::kUnknownKey,
         fmt::format("the key {} of a link is not known, and ignored", text::quoted(name.text)));

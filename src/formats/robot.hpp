@@ -73,7 +73,7 @@ struct Codes {
 };
 
 /// How many links a robot may have. Files can say many in few words.
-inline constexpr std::size_t kMostLinks = 100'000;
+inline constexpr std::size_t kMostLinks = 10'000;
 
 /// The vector of unit length along another one; nothing if that is zero.
 std::optional<Vec3> unit_of(const Vec3& vector);

@@ -15,6 +15,9 @@ using text::yaml::Node;
 /// How many files may be open at once, each named by the one before. It costs stack.
 constexpr std::size_t kMostOpenFiles = 16;
 
+/// How many files a robot may be made of.
+constexpr std::size_t kMostFiles = 1000;
+
 /// The part of a path up to its last slash.
 std::string folder_of(const std::string& name) {
   return name.substr(0, name.find_last_of('/') + 1);  // npos + 1 is 0
@@ -79,6 +82,11 @@ std::optional<CompanionFile> Files::find(const std::string& name, const robot::S
 const File* Files::open(const std::string& name, const robot::Spot& spot) {
   const auto known = files_.find(name);
   if (known != files_.end()) return known->second->tree ? known->second.get() : nullptr;
+  if (files_.size() == kMostFiles) {
+    spot.report(diagnostics_, Severity::Error, code::kNestedFiles,
+                fmt::format("expected at most {} files, found another", kMostFiles));
+    return nullptr;
+  }
   const auto found = find(name, spot);
   return found ? read(name, found->bytes, {}, found->owner, found->name) : nullptr;
 }

@@ -78,13 +78,11 @@ class LinkReader {
       return fail(links == nullptr ? file_.root() : *links, code::kNoLinks,
                   "expected a list of links, found none");
     }
+    const bool has_types = links->kind == NodeKind::Mapping;
     bool is_good = true;
-    if (links->kind == NodeKind::Sequence) {
-      for (const Node* node : links->children) is_good &= read_node(*node, {});
-    } else {
-      for (std::size_t i = 0; i + 1 < links->children.size(); i += 2) {
-        is_good &= read_node(*links->children[i + 1], links->children[i]->text);
-      }
+    for (std::size_t i = 0; i < links->children.size() && !is_full_; ++i) {
+      const std::string_view type = has_types ? links->children[i++]->text : std::string_view();
+      is_good &= read_node(*links->children[i], type);
     }
     if (!is_good) return false;
     return !robot_.links.empty() ||
@@ -124,7 +122,8 @@ class LinkReader {
   }
 
   bool add(Link link, const Node& node) {
-    if (robot_.links.size() == robot::kMostLinks) {
+    is_full_ = robot_.links.size() == robot::kMostLinks;
+    if (is_full_) {
       return fail(node, code::kTooManyLinks,
                   fmt::format("expected at most {} links, found more", robot::kMostLinks));
     }
@@ -258,6 +257,7 @@ class LinkReader {
   Files& files_;
   Values values_;
   robot::Robot robot_;
+  bool is_full_ = false;  ///< more links are an error that is told once
 };
 
 }  // namespace

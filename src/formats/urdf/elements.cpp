@@ -15,6 +15,9 @@ namespace {
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 
+/// Columns are looked for so far into a line, since a line may be the whole file.
+constexpr std::ptrdiff_t kFarthestColumn = 1000;
+
 /// What tinyxml2 found wrong, in words.
 std::string_view fault_name(tinyxml2::XMLError error) {
   switch (error) {
@@ -95,7 +98,8 @@ const char* Elements::start_of_line(int line) const {
 
 robot::Spot Elements::find_in_line(int line, const std::string& word) const {
   const char* begin = start_of_line(line);
-  const char* end = std::find(begin, source_.end(), '\n');
+  const auto rest = std::min(source_.end() - begin, kFarthestColumn);
+  const char* end = std::find(begin, begin + rest, '\n');
   const char* found = std::search(begin, end, word.begin(), word.end());
   return {&source_, found == end ? begin : found};
 }
@@ -109,7 +113,8 @@ robot::Spot Elements::spot(const XMLElement& element, const XMLAttribute& attrib
   const robot::Spot start = spot(element);
   if (attribute.GetLineNum() != element.GetLineNum()) return in_line;
   // Behind the element's own start, which may look the same.
-  const std::string_view rest(start.at, static_cast<std::size_t>(source_.end() - start.at));
+  const std::string_view rest(
+      start.at, static_cast<std::size_t>(std::min(source_.end() - start.at, kFarthestColumn)));
   const std::size_t at = rest.substr(0, rest.find('\n')).find(std::string(" ") + attribute.Name());
   return at == std::string_view::npos ? in_line : robot::Spot{&source_, start.at + at + 1};
 }

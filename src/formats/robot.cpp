@@ -141,7 +141,7 @@ bool moves(const Link& link) {
 
 /// The axis of a joint, of unit length; nothing after an error.
 std::optional<Vec3> axis_of(const Link& link, const Codes& codes, Diagnostics& diagnostics) {
-  const auto unit = unit_of(link.axis);
+  auto unit = unit_of(link.axis);
   if (!unit) {
     link.axis_spot.report(
         diagnostics, Severity::Error, codes.not_unit_length,

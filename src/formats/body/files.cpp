@@ -100,7 +100,7 @@ const File* Files::read(std::string name, std::string_view bytes, const std::str
   file->owner = std::move(owner);
   auto decoded = text::decode(bytes, encoding, source_name, diagnostics_);
   if (!decoded) {
-    diagnostics_.add(decoded.error());
+    diagnostics_.add(static_cast<const Diagnostic&>(decoded.error()));
     return nullptr;
   }
   file->decoded = std::move(*decoded);

@@ -46,7 +46,7 @@ Result<Document> read_other(const Wrapped& wrapped, Files& files) {
   auto document = wrapped.other_format->read(companion->bytes, options, files.diagnostics());
   if (!document) return document;
   // A robot, and not just any skeleton.
-  if (document->extras.file.count("num_joints") > 0) return document;
+  if (document->extras.file.contains("num_joints")) return document;
   wrapped.spot.report(
       files.diagnostics(), Severity::Error, code::kNotABody,
       fmt::format("expected a robot model, found {}", wrapped.other_format->description));

@@ -37,7 +37,7 @@ void Lexer::advance() {
   }
   const char* const begin = next_;
   if (begin == end_) {
-    token_ = {TokenKind::End, {end_, 0}};
+    token_ = {TokenKind::End, {begin, static_cast<std::size_t>(end_ - begin)}};
     return;
   }
   TokenKind kind = TokenKind::Word;

@@ -7,7 +7,7 @@
 set -eu
 
 demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-dev
-  libfast-float-dev libexpected-dev libhwy-dev nlohmann-json3-dev'
+  libfast-float-dev libexpected-dev libhwy-dev libtinyxml2-dev nlohmann-json3-dev'
 bench="$demo libbenchmark-dev libyaml-dev"
 test="$bench googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten python3"

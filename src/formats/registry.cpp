@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "base/words.hpp"
 #include "formats/acclaim/format.hpp"
+#include "formats/body/format.hpp"
 #include "formats/bvh/format.hpp"
 #include "formats/choreonoid/format.hpp"
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
+#include "formats/urdf/format.hpp"
+#include "formats/wrl/format.hpp"
 #include "kinefile/format.hpp"
 #include "text/scanner.hpp"
 
 namespace kinefile {
 
-std::span<const Format> formats() {
-  static const std::array kFormats = {
+namespace {
+
+std::vector<Format> all_formats() {
+  std::vector<Format> all = {
       bvh::format(),        acclaim::asf_format(), acclaim::amc_format(),
-      choreonoid::format(), csv::format(),         json::format(),
+      choreonoid::format(), body::format(),        wrl::format(),
   };
+  for (const Format& format : urdf::formats()) all.push_back(format);  // not in every build
+  all.insert(all.end(), {csv::format(), json::format()});
+  return all;
+}
+
+}  // namespace
+
+std::span<const Format> formats() {
+  static const std::vector<Format> kFormats = all_formats();
   return kFormats;
 }
 

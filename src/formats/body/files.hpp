@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/body/values.hpp"
+#include "kinefile/format.hpp"
+#include "text/decode.hpp"
+
+namespace kinefile::body {
+
+/// A YAML file in memory.
+struct File {
+  std::string name;    ///< relative to the folder of the file that is read
+  std::string folder;  ///< of `name`: empty, or with a slash at its end
+  std::shared_ptr<const void> owner;
+  text::DecodedText decoded;
+  std::unique_ptr<text::Source> source;
+  std::unique_ptr<text::yaml::Tree> tree;
+
+  const text::yaml::Node& root() const { return tree->root(); }
+};
+
+/// The file that is read, and those that it names. Each is read once.
+class Files {
+ public:
+  Files(const ReadOptions& options, Diagnostics& diagnostics)
+      : options_(options), diagnostics_(diagnostics) {}
+
+  /// Reads the file that all begins with. Null after an error.
+  const File* read_first(std::string_view bytes);
+
+  /// The name of a file that another one names, relative to the folder of the first one.
+  static std::string name_beside(const File& file, std::string_view uri);
+
+  /// Reads a file that another one names. Null after an error.
+  /// \param spot  where it is named
+  const File* open(const std::string& name, const robot::Spot& spot);
+
+  /// Finds a file that another one names; nothing after an error.
+  std::optional<CompanionFile> find(const std::string& name, const robot::Spot& spot);
+
+  /// The robot of a file; null after an error.
+  /// \param spot  where the file is named
+  const robot::Robot* robot(const File& file, const robot::Spot& spot);
+
+  const ReadOptions& options() const { return options_; }
+  Diagnostics& diagnostics() { return diagnostics_; }
+
+ private:
+  const File* read(std::string name, std::string_view bytes, const std::string& encoding,
+                   std::shared_ptr<const void> owner, const std::string& source_name);
+
+  const ReadOptions& options_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, std::unique_ptr<File>> files_;
+  std::map<const File*, std::optional<robot::Robot>> robots_;
+  std::vector<const File*> open_;  ///< those whose links are being read, outermost first
+};
+
+/// What wrappers lead to.
+struct Wrapped {
+  const File* file = nullptr;            ///< one with links; null after an error, or if:
+  const Format* other_format = nullptr;  ///< it is of another format than .body
+  std::string other_name;
+  robot::Spot spot;  ///< where `other_name` stands
+};
+
+/// Follows `modelFile` from file to file.
+Wrapped follow_wrappers(const File* file, Files& files);
+
+/// Reads the links of a file. Nothing after an error.
+std::optional<robot::Robot> read_robot(const File& file, Files& files);
+
+}  // namespace kinefile::body

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "formats/body/format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "formats/body/codes.hpp"
+#include "formats/body/files.hpp"
+#include "formats/files.hpp"
+#include "text/numbers.hpp"
+
+namespace kinefile::body {
+namespace {
+
+constexpr std::array<std::string_view, 1> kExtensions = {".body"};
+
+/// Whether this is what stands between a key and its value, in YAML's two styles.
+bool joins_key_and_value(char c) { return text::is_blank(c) || c == ':' || c == '"' || c == '\''; }
+
+bool probe(std::string_view head) {
+  Diagnostics ignored;
+  const auto decoded = text::decode(head, {}, {}, ignored);
+  if (!decoded) return false;
+  const std::string_view view = decoded->view();
+  constexpr std::string_view kKey = "format";
+  for (std::size_t at = view.find("ChoreonoidBody"); at != std::string_view::npos;
+       at = view.find("ChoreonoidBody", at + 1)) {
+    std::string_view before = view.substr(0, at);
+    while (!before.empty() && joins_key_and_value(before.back())) before.remove_suffix(1);
+    if (!before.ends_with(kKey)) continue;
+    before.remove_suffix(kKey.size());
+    while (!before.empty() && joins_key_and_value(before.back())) before.remove_suffix(1);
+    if (before.empty() || text::is_line_end(before.back()) || before.back() == '{') return true;
+  }
+  return false;
+}
+
+/// Reads the model of another format that a wrapper names.
+Result<Document> read_other(const Wrapped& wrapped, Files& files) {
+  const auto companion = files.find(wrapped.other_name, wrapped.spot);
+  if (!companion) return fail(files.diagnostics().first_error());
+  ReadOptions options;
+  options.source_name = companion->name;
+  options.lenient = files.options().lenient;
+  auto document = wrapped.other_format->read(companion->bytes, options, files.diagnostics());
+  if (!document) return document;
+  // A robot, and not just any skeleton.
+  if (document->extras.file.contains("num_joints")) return document;
+  wrapped.spot.report(
+      files.diagnostics(), Severity::Error, code::kNotABody,
+      fmt::format("expected a robot model, found {}", wrapped.other_format->description));
+  return fail(files.diagnostics().first_error());
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  Files files(options, diagnostics);
+  const File* first = files.read_first(bytes);
+  Result<Document> result = Document();
+  const Wrapped wrapped = follow_wrappers(first, files);
+  if (wrapped.other_format != nullptr) {
+    result = read_other(wrapped, files);
+  } else {
+    const robot::Robot* robot =
+        wrapped.file == nullptr
+            ? nullptr
+            : files.robot(*wrapped.file, {wrapped.file->source.get(), wrapped.file->root().at});
+    auto document = robot == nullptr
+                        ? std::nullopt
+                        : robot::document_of(*robot, "body", code::kRobot, diagnostics);
+    if (document) result = std::move(*document);
+  }
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  result->format = "body";
+  result->extras.file["encoding"] = first->decoded.description();
+  result->extras.file["line_end"] = text::line_end_of(first->decoded.view());
+  return result;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+}
+
+}  // namespace
+
+Format format() {
+  return {"body", "Choreonoid robot model", kExtensions, {}, probe, read, nullptr};
+}
+
+}  // namespace kinefile::body

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "formats/body/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/body/codes.hpp"
+#include "text/numbers.hpp"
+
+namespace kinefile::body {
+namespace {
+
+using text::yaml::Node;
+using text::yaml::NodeKind;
+using Row = std::vector<double>;
+
+/// What a message calls a value that is not the expected one.
+std::string found(const Node& node) {
+  if (node.kind == NodeKind::Sequence) return "a list";
+  if (node.kind == NodeKind::Mapping) return "a mapping";
+  return node.text.empty() ? "nothing" : text::quoted(node.text);
+}
+
+std::optional<double> number_of(const Node& node) {
+  if (node.kind != NodeKind::Scalar) return std::nullopt;
+  const text::Number number = text::parse_number(node.text);
+  const bool is_good = number.fault == text::NumberFault::None && std::isfinite(number.value);
+  return is_good ? std::optional(number.value) : std::nullopt;
+}
+
+/// The numbers of a list; nothing if something else is among them.
+std::optional<Row> row_of(const Node& node) {
+  if (node.kind != NodeKind::Sequence || node.rows) return std::nullopt;
+  Row row;
+  for (const Node* child : node.children) {
+    const auto number = number_of(*child);
+    if (!number) return std::nullopt;
+    row.push_back(*number);
+  }
+  return row;
+}
+
+/// The lists in a list, some of which the YAML reader has as rows without nodes.
+std::optional<std::vector<Row>> rows_of(const Node& node, const text::yaml::Tree& tree) {
+  std::vector<Row> rows;
+  if (!node.rows) {
+    for (const Node* child : node.children) {
+      auto row = row_of(*child);
+      if (!row) return std::nullopt;
+      rows.push_back(std::move(*row));
+    }
+    return rows;
+  }
+  auto next = node.rows->values.begin();
+  for (const auto& entry : node.rows->entries) {
+    std::optional<Row> row = Row();
+    if (entry.node != nullptr) {
+      row = row_of(*entry.node);
+    } else {
+      const auto& shape = tree.shape(entry.shape);
+      const bool is_flat = shape.empty() || (shape.size() == 1 && shape[0] > 0);
+      if (!is_flat) return std::nullopt;
+      const auto end = next + (shape.empty() ? 0 : shape[0]);
+      row->assign(next, end);
+      next = end;
+    }
+    if (!row) return std::nullopt;
+    rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+void Values::error(const Node& node, const char* code, std::string message) {
+  spot(node).report(diagnostics, Severity::Error, code, std::move(message));
+}
+
+std::optional<std::string> Values::word(const Node& node, std::string_view what) {
+  if (node.kind == NodeKind::Scalar && !node.text.empty()) return std::string(node.text);
+  error(node, code::kBadValue, fmt::format("expected {}, found {}", what, found(node)));
+  return std::nullopt;
+}
+
+std::optional<double> Values::number(const Node& node, std::string_view what) {
+  const auto value = number_of(node);
+  if (value) return value;
+  error(node, code::kBadValue,
+        fmt::format("expected a finite number as {}, found {}", what, found(node)));
+  return std::nullopt;
+}
+
+std::optional<Row> Values::list(const Node& node, std::string_view what) {
+  auto row = row_of(node);
+  if (row) return row;
+  error(node, code::kBadValue,
+        fmt::format("expected a list of finite numbers as {}, found {}", what,
+                    node.kind == NodeKind::Sequence ? "something else in it" : found(node)));
+  return std::nullopt;
+}
+
+std::optional<Row> Values::numbers(const Node& node, std::string_view what, std::size_t count) {
+  auto row = list(node, what);
+  if (!row || row->size() == count) return row;
+  error(node, code::kBadValue,
+        fmt::format("expected {} numbers as {}, found {}", count, what, row->size()));
+  return std::nullopt;
+}
+
+std::optional<std::vector<Row>> Values::rows(const Node& node, std::string_view what,
+                                             std::size_t count) {
+  if (node.kind == NodeKind::Sequence) {
+    const bool has_lists =
+        node.rows || (!node.children.empty() && node.children.front()->kind == NodeKind::Sequence);
+    if (!has_lists) {
+      auto row = numbers(node, what, count);
+      if (!row) return std::nullopt;
+      return std::vector<Row>{std::move(*row)};
+    }
+    auto all = rows_of(node, tree);
+    const auto is_right = [count](const Row& row) { return row.size() == count; };
+    if (all && std::all_of(all->begin(), all->end(), is_right)) return all;
+  }
+  error(node, code::kBadValue,
+        fmt::format("expected {} finite numbers as {}, or a list of such lists, found {}", count,
+                    what, node.kind == NodeKind::Sequence ? "another list" : found(node)));
+  return std::nullopt;
+}
+
+std::optional<Vec3> Values::vector(const Node& node, std::string_view what) {
+  const auto row = numbers(node, what, 3);
+  if (!row) return std::nullopt;
+  return Vec3((*row)[0], (*row)[1], (*row)[2]);
+}
+
+const Node* find_any(const Node& node, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    if (const Node* value = text::yaml::find(node, key)) return value;
+  }
+  return nullptr;
+}
+
+}  // namespace kinefile::body

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/robot.hpp"
+#include "text/yaml/tree.hpp"
+
+namespace kinefile::body {
+
+/// Reads the values of one file. What is not as expected is told, and the result is nothing.
+struct Values {
+  const text::Source& source;
+  const text::yaml::Tree& tree;
+  Diagnostics& diagnostics;
+  bool has_degrees = true;  ///< else its angles are radians
+
+  robot::Spot spot(const text::yaml::Node& node) const { return {&source, node.at}; }
+  void error(const text::yaml::Node& node, const char* code, std::string message);
+
+  /// A text; numbers are texts, too.
+  std::optional<std::string> word(const text::yaml::Node& node, std::string_view what);
+  /// A finite number.
+  std::optional<double> number(const text::yaml::Node& node, std::string_view what);
+  /// A list of `count` finite numbers.
+  std::optional<std::vector<double>> numbers(const text::yaml::Node& node, std::string_view what,
+                                             std::size_t count);
+  /// A list of `count` finite numbers, or a list of such lists.
+  std::optional<std::vector<std::vector<double>>> rows(const text::yaml::Node& node,
+                                                       std::string_view what, std::size_t count);
+  /// A list of finite numbers of any length.
+  std::optional<std::vector<double>> list(const text::yaml::Node& node, std::string_view what);
+  std::optional<Vec3> vector(const text::yaml::Node& node, std::string_view what);
+  /// An angle of the file in radians.
+  double radians(double angle) const { return has_degrees ? angle * kRadiansPerDegree : angle; }
+};
+
+/// The value of the first of some keys that a mapping has, or null.
+const text::yaml::Node* find_any(const text::yaml::Node& node,
+                                 std::initializer_list<std::string_view> keys);
+
+}  // namespace kinefile::body

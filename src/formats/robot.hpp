@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/diagnostics.hpp"
+#include "kinefile/document.hpp"
+#include "text/source.hpp"
+
+// What the formats of robot models have in common: a list of links, of which a skeleton is made.
+namespace kinefile::robot {
+
+enum class JointType {
+  Fixed,
+  Free,
+  Revolute,
+  Prismatic,
+  ContinuousTrack,  ///< a crawler that is no more than a moving surface: it stays in its place
+};
+
+/// A place in one of the texts that a robot is read from.
+struct Spot {
+  const text::Source* source = nullptr;
+  const char* at = nullptr;
+
+  void report(Diagnostics& diagnostics, Severity severity, const char* code,
+              std::string message) const {
+    text::report(*source, diagnostics, severity, code, std::move(message), at);
+  }
+};
+
+/// A link and the joint that it hangs on, as a file has them; angles in radians, lengths in metres.
+/// All numbers are finite but for limits.
+struct Link {
+  std::string name;
+  std::string parent;  ///< the name of another link; empty: none
+  std::string joint_name;
+  std::optional<std::size_t> joint_id;
+  JointType type = JointType::Fixed;
+  Vec3 axis = Vec3::UnitZ();  ///< in the link's frame, of any length
+  Vec3 translation = Vec3::Zero();
+  Quat rotation = Quat::Identity();  ///< of unit length
+  double rest = 0;                   ///< the joint's value at first
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double max_speed = std::numeric_limits<double>::infinity();
+  Spot spot;                  ///< of its name
+  Spot parent_spot;           ///< of its parent's name, or where that might stand
+  Spot axis_spot, id_spot{};  ///< of what the file says
+};
+
+/// Links in the order of declaration, which is that of children.
+struct Robot {
+  std::string name;
+  std::vector<Link> links;
+  std::size_t root = 0;  ///< an index into `links`
+};
+
+/// The codes by which a format tells what is wrong with a robot.
+struct Codes {
+  const char* too_many_links;
+  const char* repeated_name;
+  const char* bad_parent;
+  const char* circle;
+  const char* large_id;
+  const char* repeated_id;
+  const char* not_unit_length;
+};
+
+/// How many links a robot may have. Files can say many in few words.
+inline constexpr std::size_t kMostLinks = 10'000;
+
+/// The vector of unit length along another one; nothing if that is zero.
+std::optional<Vec3> unit_of(const Vec3& vector);
+
+/// A rotation about an axis, which is zero for none.
+/// \param angle  in radians
+Quat rotation_about(const Vec3& axis, double angle);
+
+/// Makes a document of a robot: its links in depth-first order, children in the order of
+/// declaration, the root moving freely; columns for the root's pose, for the joint ids from 0 on
+/// and for the joints that have none.
+/// \param format  the document's
+/// \returns       nothing after errors, which are in `diagnostics`
+/// Source: Choreonoid 2.5 (LinkTraverse, Body::updateLinkTree), whose order of joint values it is.
+std::optional<Document> document_of(const Robot& robot, std::string_view format, const Codes& codes,
+                                    Diagnostics& diagnostics);
+
+}  // namespace kinefile::robot

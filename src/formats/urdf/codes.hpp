@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The diagnostics of the URDF reader. docs/errors.md gives each a cause and a cure, and
+// tests/formats/urdf/invalid a file and its message.
+
+#include "formats/robot.hpp"
+
+namespace kinefile::urdf::code {
+
+inline constexpr char kNotUrdf[] = "URD001";
+inline constexpr char kMissing[] = "URD002";
+inline constexpr char kBadValue[] = "URD003";
+inline constexpr char kUnknownType[] = "URD004";
+inline constexpr char kRepeatedName[] = "URD005";
+inline constexpr char kBadParent[] = "URD006";
+inline constexpr char kCircle[] = "URD007";
+inline constexpr char kTakenAsFixed[] = "URD008";
+inline constexpr char kNotUnitLength[] = "URD009";
+inline constexpr char kTooManyLinks[] = "URD010";
+inline constexpr char kIgnored[] = "URD011";
+inline constexpr char kNoLimit[] = "URD012";
+
+/// Joint ids are counted here, so that none is too large and none stands twice.
+inline constexpr robot::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
+                                        kTooManyLinks, kTooManyLinks, kNotUnitLength};
+
+}  // namespace kinefile::urdf::code

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/robot.hpp"
+
+namespace kinefile::urdf {
+
+/// Reads the elements of an XML text. What is not as expected is told, and the result is nothing.
+class Elements {
+ public:
+  /// \param source  UTF-8 without a byte order mark, must outlive this
+  Elements(const text::Source& source, Diagnostics& diagnostics);
+
+  /// The element that all others are in, which has to be of this name; null after an error.
+  const tinyxml2::XMLElement* read_root(const char* name);
+
+  /// Where an element stands: its line is known, its column only where it is the first of its name
+  /// in the line.
+  robot::Spot spot(const tinyxml2::XMLElement& element) const;
+  robot::Spot spot(const tinyxml2::XMLElement& element,
+                   const tinyxml2::XMLAttribute& attribute) const;
+
+  /// The text of an attribute, which has to be there.
+  std::optional<std::string> word(const tinyxml2::XMLElement& element, const char* attribute);
+  /// A finite number.
+  /// \param fallback  where there is no such attribute
+  std::optional<double> number(const tinyxml2::XMLElement& element, const char* attribute,
+                               double fallback);
+  /// Three finite numbers.
+  std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const char* attribute,
+                             const Vec3& fallback);
+
+  void report(Severity severity, const robot::Spot& spot, const char* code, std::string message) {
+    spot.report(diagnostics_, severity, code, std::move(message));
+  }
+  Diagnostics& diagnostics() { return diagnostics_; }
+
+ private:
+  const char* start_of_line(int line) const;
+  robot::Spot find_in_line(int line, const std::string& word) const;
+  void tell_fault();
+
+  const text::Source& source_;
+  Diagnostics& diagnostics_;
+  tinyxml2::XMLDocument document_;
+  std::vector<std::size_t> line_starts_;  ///< as tinyxml2 counts lines: by line feeds alone
+};
+
+}  // namespace kinefile::urdf

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "formats/urdf/format.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "formats/files.hpp"
+#include "formats/urdf/codes.hpp"
+#include "formats/urdf/parse.hpp"
+#include "text/decode.hpp"
+
+namespace kinefile::urdf {
+namespace {
+
+constexpr std::array<std::string_view, 1> kExtensions = {".urdf"};
+
+/// Goes behind what starts with one word and ends with another; false where that is not there.
+bool skip(std::string_view& text, std::string_view start, std::string_view end) {
+  if (!text.starts_with(start)) return false;
+  const std::size_t at = text.find(end, start.size());
+  text.remove_prefix(at == std::string_view::npos ? text.size() : at + end.size());
+  return true;
+}
+
+bool probe(std::string_view head) {
+  Diagnostics ignored;
+  const auto decoded = text::decode(head, {}, {}, ignored);
+  if (!decoded) return false;
+  std::string_view text = decoded->view();
+  do {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  } while (skip(text, "<?", "?>") || skip(text, "<!--", "-->"));
+  constexpr std::string_view kRoot = "<robot";
+  return text.starts_with(kRoot) && text.size() > kRoot.size() &&
+         std::string_view(" \t\r\n>").find(text[kRoot.size()]) != std::string_view::npos;
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) return fail(std::move(decoded.error()));
+  const text::Source source(options.source_name, decoded->view());
+  const auto robot = parse(source, diagnostics);
+  auto document = robot ? robot::document_of(*robot, "urdf", code::kRobot, diagnostics)
+                        : std::optional<Document>();
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  document->extras.file["encoding"] = decoded->description();
+  document->extras.file["line_end"] = text::line_end_of(decoded->view());
+  return std::move(*document);
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+}
+
+}  // namespace
+
+std::vector<Format> formats() {
+  return {{"urdf", "Unified Robot Description Format", kExtensions, {}, probe, read, nullptr}};
+}
+
+}  // namespace kinefile::urdf

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "formats/urdf/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <unordered_map>
+
+#include "formats/urdf/codes.hpp"
+#include "formats/urdf/elements.hpp"
+
+namespace kinefile::urdf {
+namespace {
+
+using robot::JointType;
+using robot::Link;
+using tinyxml2::XMLElement;
+
+/// Roll, pitch and yaw: about the fixed axes x, y and z, in this order.
+Quat rotation_of(const Vec3& rpy) {
+  const Quat roll = robot::rotation_about(Vec3::UnitX(), rpy.x());
+  const Quat pitch = robot::rotation_about(Vec3::UnitY(), rpy.y());
+  const Quat yaw = robot::rotation_about(Vec3::UnitZ(), rpy.z());
+  return (yaw * pitch * roll).normalized();
+}
+
+class Parser {
+ public:
+  Parser(const text::Source& source, Diagnostics& diagnostics) : elements_(source, diagnostics) {}
+
+  std::optional<robot::Robot> parse() {
+    const XMLElement* root = elements_.read_root("robot");
+    if (root == nullptr) return std::nullopt;
+    const char* name = root->Attribute("name");
+    robot_.name = name == nullptr ? "" : name;
+    // All links first: joints may stand before what they join.
+    for_each(*root, "link", [this](const XMLElement& element) { read_link(element); });
+    for_each(*root, "joint", [this](const XMLElement& element) { read_joint(element); });
+    if (is_good_) find_root(*root);
+    if (!is_good_) return std::nullopt;
+    return std::move(robot_);
+  }
+
+ private:
+  /// A link of the file, and whether a joint has put it into its place.
+  struct Known {
+    const XMLElement* element = nullptr;
+    bool is_child = false;
+  };
+
+  template <class Function>
+  static void for_each(const XMLElement& parent, const char* name, const Function& function) {
+    for (const XMLElement* element = parent.FirstChildElement(name); element != nullptr;
+         element = element->NextSiblingElement(name)) {
+      function(*element);
+    }
+  }
+
+  void error(const robot::Spot& spot, const char* code, std::string message) {
+    elements_.report(Severity::Error, spot, code, std::move(message));
+    is_good_ = false;
+  }
+
+  void warn(const XMLElement& element, const char* code, std::string message) {
+    elements_.report(Severity::Warning, elements_.spot(element), code, std::move(message));
+  }
+
+  /// Takes a value that may be missing because of an error.
+  template <class T>
+  T take(std::optional<T> value) {
+    is_good_ &= value.has_value();
+    return value ? std::move(*value) : T{};
+  }
+
+  void read_link(const XMLElement& element) {
+    const std::string name = take(elements_.word(element, "name"));
+    if (name.empty()) return;
+    names_.push_back(name);
+    if (!links_.emplace(name, Known{&element, false}).second) {
+      error(elements_.spot(element), code::kRepeatedName,
+            fmt::format("expected one link of the name {}, found another", text::quoted(name)));
+    }
+  }
+
+  /// The name in a joint's <parent> or <child>, which has to be a link's.
+  Known* find_link(const XMLElement& joint, const char* role, std::string& name) {
+    const XMLElement* element = joint.FirstChildElement(role);
+    if (element == nullptr) {
+      error(elements_.spot(joint), code::kMissing,
+            fmt::format("expected <{}> in a <joint>, found none", role));
+      return nullptr;
+    }
+    name = take(elements_.word(*element, "link"));
+    const auto found = links_.find(name);
+    if (found != links_.end()) return &found->second;
+    if (!name.empty()) {
+      error(elements_.spot(*element), code::kBadParent,
+            fmt::format("expected a link as the {} of a joint, found {}, which is none", role,
+                        text::quoted(name)));
+    }
+    return nullptr;
+  }
+
+  void read_joint(const XMLElement& element) {
+    Link link;
+    link.joint_name = take(elements_.word(element, "name"));
+    const Known* parent = find_link(element, "parent", link.parent);
+    Known* child = find_link(element, "child", link.name);
+    if (parent == nullptr || child == nullptr) return;
+    if (child->is_child) {
+      error(elements_.spot(element), code::kBadParent,
+            fmt::format("expected one joint above the link {}, found another",
+                        text::quoted(link.name)));
+      return;
+    }
+    child->is_child = true;
+    link.spot = elements_.spot(*child->element);
+    link.parent_spot = elements_.spot(*element.FirstChildElement("parent"));
+    read_type(element, link);
+    read_origin(element, link);
+    read_axis(element, link);
+    read_limit(element, link);
+    if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
+      warn(*mimic, code::kIgnored,
+           "<mimic> is ignored: the joint reads values of its own (as in Choreonoid)");
+    }
+    robot_.links.push_back(std::move(link));
+  }
+
+  /// The type of a joint, and its id, which those that move have in the order of the file.
+  void read_type(const XMLElement& element, Link& link) {
+    const std::string type = take(elements_.word(element, "type"));
+    if (type.empty() || type == "fixed") return;
+    if (type == "floating" || type == "planar") {
+      warn(element, code::kTakenAsFixed,
+           fmt::format("a {} joint is taken as fixed (as in Choreonoid)", type));
+    } else if (type == "revolute" || type == "continuous" || type == "prismatic") {
+      link.type = type == "prismatic" ? JointType::Prismatic : JointType::Revolute;
+      link.joint_id = num_ids_++;
+    } else {
+      error(elements_.spot(element), code::kUnknownType,
+            fmt::format("expected revolute, continuous, prismatic, fixed, floating or planar as "
+                        "the type of a joint, found {}",
+                        text::quoted(type)));
+    }
+  }
+
+  void read_origin(const XMLElement& element, Link& link) {
+    const XMLElement* origin = element.FirstChildElement("origin");
+    if (origin == nullptr) return;
+    link.translation = take(elements_.vector(*origin, "xyz", Vec3::Zero()));
+    link.rotation = rotation_of(take(elements_.vector(*origin, "rpy", Vec3::Zero())));
+  }
+
+  void read_axis(const XMLElement& element, Link& link) {
+    const XMLElement* axis = element.FirstChildElement("axis");
+    link.axis = Vec3::UnitX();
+    link.axis_spot = elements_.spot(axis == nullptr ? element : *axis);
+    if (axis != nullptr) link.axis = take(elements_.vector(*axis, "xyz", Vec3::UnitX()));
+  }
+
+  void read_limit(const XMLElement& element, Link& link) {
+    const bool is_continuous = element.Attribute("type", "continuous") != nullptr;
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (link.type == JointType::Fixed) return;
+    if (limit == nullptr) {
+      if (is_continuous) return;
+      warn(element, code::kNoLimit,
+           fmt::format("expected <limit> in the joint {}, found none; it is taken as unlimited "
+                       "(Choreonoid refuses such a file)",
+                       text::quoted(link.joint_name)));
+      return;
+    }
+    if (!is_continuous) {
+      link.lower = take(elements_.number(*limit, "lower", 0));
+      link.upper = take(elements_.number(*limit, "upper", 0));
+    }
+    link.max_speed = std::abs(take(elements_.number(*limit, "velocity", link.max_speed)));
+  }
+
+  /// The root is the one link above which there is no joint.
+  void find_root(const XMLElement& robot) {
+    const std::string* root = nullptr;
+    for (const std::string& name : names_) {
+      if (links_.at(name).is_child) continue;
+      if (root != nullptr) {
+        error(elements_.spot(*links_.at(name).element), code::kBadParent,
+              fmt::format("expected one link without a joint above it, found {} and {}",
+                          text::quoted(*root), text::quoted(name)));
+        return;
+      }
+      root = &name;
+    }
+    if (root == nullptr) {
+      const bool is_empty = names_.empty();
+      error(elements_.spot(is_empty ? robot : *links_.at(names_.front()).element),
+            is_empty ? code::kMissing : code::kCircle,
+            is_empty ? "expected a <link> in the <robot>, found none"
+                     : "expected a link without a joint above it, found none");
+      return;
+    }
+    Link link;
+    link.name = *root;
+    link.spot = elements_.spot(*links_.at(*root).element);
+    link.parent_spot = link.spot;
+    robot_.root = robot_.links.size();
+    robot_.links.push_back(std::move(link));
+  }
+
+  Elements elements_;
+  robot::Robot robot_;
+  std::unordered_map<std::string, Known> links_;
+  std::vector<std::string> names_;  ///< of links, in the order of the file
+  std::size_t num_ids_ = 0;
+  bool is_good_ = true;
+};
+
+}  // namespace
+
+std::optional<robot::Robot> parse(const text::Source& source, Diagnostics& diagnostics) {
+  return Parser(source, diagnostics).parse();
+}
+
+}  // namespace kinefile::urdf

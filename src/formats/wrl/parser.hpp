@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/robot.hpp"
+#include "formats/wrl/lexer.hpp"
+
+namespace kinefile::wrl {
+
+/// What the parts of the parser share. Its functions tell what is wrong, once, and are false then.
+struct Parser {
+  const text::Source& source;
+  Diagnostics& diagnostics;
+  Lexer lexer;
+
+  robot::Spot spot(const Token& token) const { return {&source, token.at()}; }
+  bool fail(const Token& token, const char* code, std::string message);
+  /// Tells that something else was expected than what comes next.
+  bool unexpected(std::string_view expected);
+  /// Takes a sign or keyword.
+  bool expect(std::string_view word);
+};
+
+/// A joint while it is read: fields may stand in any order.
+struct JointFields {
+  robot::Link link;
+  std::string name;  ///< of its field `name`, not of DEF
+  bool has_type = false;
+};
+
+/// Reads `count` finite numbers.
+bool read_numbers(Parser& parser, std::string_view field, double* out, std::size_t count);
+
+/// Reads the value of a field of a Joint that says how it moves.
+/// \param is_known  out: whether it is such a field; else nothing was read
+bool read_joint_field(Parser& parser, const Token& field, JointFields& joint, bool& is_known);
+
+/// Goes behind the value of a field of any type.
+/// \param allows_joints  whether Joints in it may be skipped, too, as nothing that moves
+bool skip_value(Parser& parser, bool allows_joints = false);
+
+/// Goes behind the sign that closes the one that was taken last.
+bool skip_to_closing(Parser& parser, bool allows_joints = false);
+
+}  // namespace kinefile::wrl

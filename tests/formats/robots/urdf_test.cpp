@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <random>
+
+#include "formats/robots/robots.hpp"
+
+namespace kinefile::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::string urdf_with(const std::string& elements) {
+  return "<?xml version=\"1.0\"?>\n<robot name=\"t\">\n" + elements + "</robot>\n";
+}
+
+std::string joint(const std::string& type, const std::string& parent, const std::string& child,
+                  const std::string& inner = "<limit velocity=\"1\" effort=\"1\"/>") {
+  return "<joint name=\"to_" + child + "\" type=\"" + type + "\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/>" + inner + "</joint>\n";
+}
+
+TEST(Urdf, JointsAreInTheOrderOfTheFileAndThoseThatMoveHaveIds) {
+  const Document document = robot_of(
+      "urdf", urdf_with(joint("revolute", "A", "C") + joint("fixed", "A", "B") +
+                        joint("continuous", "B", "D", "") + joint("prismatic", "C", "E") +
+                        "<link name=\"D\"/><link name=\"C\"/><link name=\"A\"/><link name=\"B\"/>"
+                        "<link name=\"E\"/>"));
+  const Skeleton& skeleton = skeleton_of(document);
+  EXPECT_EQ(names_of(skeleton), "A C E B D");
+  EXPECT_EQ(joint_columns_of(skeleton), "C.q D.q E.q");
+  EXPECT_EQ(document.extras.joints.at("D").at("joint_name"), "to_D");
+  EXPECT_EQ(document.extras.joints.at("E").at("joint_id"), "2");
+  EXPECT_EQ(document.extras.joints.at("A").count("joint_name"), 0u);
+}
+
+TEST(Urdf, RollPitchAndYawTurnAboutFixedAxes) {
+  const Document document = robot_of(
+      "urdf", urdf_with("<link name=\"A\"/><link name=\"B\"/>" +
+                        joint("fixed", "A", "B", "<origin xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\"/>")));
+  const Joint& b = skeleton_of(document).joints.at(1);
+  EXPECT_EQ(b.offset, Vec3(1, 2, 3));
+  const Mat3 expected =
+      (Eigen::AngleAxisd(0.3, Vec3::UnitZ()) * Eigen::AngleAxisd(0.2, Vec3::UnitY()) *
+       Eigen::AngleAxisd(0.1, Vec3::UnitX()))
+          .toRotationMatrix();
+  EXPECT_LE((b.rest_rotation.toRotationMatrix() - expected).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(Urdf, LimitsAreThoseOfTheTypeAndTheAxisIsXByDefault) {
+  const std::string limit = "<limit lower=\"-1\" upper=\"2\" velocity=\"3\" effort=\"4\"/>";
+  const Document document =
+      robot_of("urdf", urdf_with("<link name=\"A\"/><link name=\"B\"/><link name=\"C\"/>" +
+                                 joint("revolute", "A", "B", limit) +
+                                 joint("continuous", "B", "C", limit + "<axis xyz='0 0 -1'/>")));
+  const DegreeOfFreedom& b = skeleton_of(document).joints.at(1).dofs.at(0);
+  EXPECT_EQ(b.axis, Vec3::UnitX());
+  EXPECT_EQ(b.lower, -1);
+  EXPECT_EQ(b.upper, 2);
+  EXPECT_EQ(b.max_speed, 3);
+  const DegreeOfFreedom& c = skeleton_of(document).joints.at(2).dofs.at(0);
+  EXPECT_EQ(c.axis, -Vec3::UnitZ());
+  EXPECT_EQ(c.lower, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(c.max_speed, 3);
+}
+
+TEST(Urdf, AZeroByteIsNoEnd) {
+  using namespace std::string_literals;
+  const ReadText read = read_robot("urdf", "<robot><link name=\"A\"/></robot>\n\0<robot/>"s);
+  ASSERT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD001"});
+  EXPECT_EQ(read.diagnostics.items()[0].place.line, 2u);
+}
+
+TEST(Urdf, TooManyLinksAreRefused) {
+  std::string elements = "<link name=\"J0\"/>\n";
+  for (int i = 1; i <= 10'000; ++i) {
+    const std::string name = "J" + std::to_string(i);
+    elements += "<link name=\"" + name + "\"/>\n" + joint("fixed", "J0", name, "");
+  }
+  const ReadText read = read_robot("urdf", urdf_with(elements));
+  EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD010"});
+}
+
+TEST(Urdf, IsKnownByItsFirstElement) {
+  EXPECT_EQ(detect_format("<?xml version='1.0'?>\n<!-- <x> -->\n<robot name='a'>", "x")->name,
+            "urdf");
+  EXPECT_EQ(detect_format("<robots>", "x"), nullptr);
+  EXPECT_EQ(format_of_name("a.urdf")->name, "urdf");
+}
+
+TEST(ExampleRobot, IsTheSameInBothFormats) {
+  const Document body = robot_of("body", fixture("../../examples/robot.body"));
+  const Document urdf = robot_of("urdf", fixture("../../examples/robot.urdf"));
+  const Skeleton& a = skeleton_of(body);
+  const Skeleton& b = skeleton_of(urdf);
+  EXPECT_EQ(a.joints.size(), 19u);
+  EXPECT_EQ(a.coordinates.size(), 25u);
+  ASSERT_EQ(names_of(a), names_of(b));
+  ASSERT_EQ(column_names(a), column_names(b));
+  for (std::size_t j = 0; j < a.joints.size(); ++j) {
+    for (std::size_t d = 0; d < a.joints[j].dofs.size() && j > 0; ++d) {
+      EXPECT_NEAR(a.joints[j].dofs[d].lower, b.joints[j].dofs[d].lower, 1e-15);
+      EXPECT_NEAR(a.joints[j].dofs[d].upper, b.joints[j].dofs[d].upper, 1e-15);
+      EXPECT_NEAR(a.joints[j].dofs[d].max_speed, b.joints[j].dofs[d].max_speed, 1e-14);
+    }
+  }
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  std::vector<double> values;
+  for (int frame = 0; frame < 20; ++frame) {
+    for (std::size_t c = 0; c < a.coordinates.size(); ++c) values.push_back(angle(random));
+  }
+  const WorldPoses pa = poses_of(a, values);
+  const WorldPoses pb = poses_of(b, values);
+  for (std::size_t i = 0; i < pa.positions.size(); ++i) {
+    EXPECT_NEAR(pa.positions[i], pb.positions[i], 1e-14);
+  }
+  for (std::size_t f = 0; f < pa.num_frames; ++f) {
+    for (std::size_t j = 0; j < pa.num_joints; ++j) {
+      EXPECT_LE(angle_between(rotation_in(pa, j, f), rotation_in(pb, j, f)), 1e-14);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinefile::test

@@ -72,6 +72,43 @@ Json json_of(const Diff& diff, const MotionComparison& comparison) {
           {"num_frames", {comparison.num_frames_first, comparison.num_frames_second}}};
 }
 
+/// Compares components of the same kind and content: the largest difference of poses and points is
+/// a distance, that of values a number. Length, parts and rate must agree, too.
+bool print_components(const BodyMotion& first, const BodyMotion& second, double tolerance) {
+  bool is_different = first.components.size() != second.components.size();
+  for (const Component& a : first.components) {
+    const Component* b = find_component(second, a.kind, a.content);
+    if (b == nullptr) {
+      print_data(fmt::format("{:<22}'{}'\n", "only in the first", a.content));
+      is_different = true;
+      continue;
+    }
+    if (a.kind == ComponentKind::Other) continue;
+    if (a.num_frames != b->num_frames || a.num_parts != b->num_parts) {
+      print_data(fmt::format("{:<22}{} frames of {} parts and {} of {}\n", a.content, a.num_frames,
+                             a.num_parts, b->num_frames, b->num_parts));
+      is_different = true;
+      continue;
+    }
+    const MotionComparison comparison =
+        compare_motions(motion_of_component(a), motion_of_component(*b));
+    print_largest(a.content, comparison.distance, "");
+    if (a.kind == ComponentKind::Poses) {
+      print_largest("  rotation", comparison.rotation, " degrees");
+    }
+    is_different |= comparison.distance.value > tolerance ||
+                    frame_rate(a.timeline) != frame_rate(b->timeline) ||
+                    a.is_root_relative != b->is_root_relative;
+  }
+  for (const Component& b : second.components) {
+    if (find_component(first, b.kind, b.content) != nullptr) continue;
+    print_data(fmt::format("{:<22}'{}'\n", "only in the second", b.content));
+    is_different = true;
+  }
+  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
+  return is_different;
+}
+
 /// The motion of a document; a skeleton alone is compared in its rest pose.
 Motion motion_of(Document&& document) {
   if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
@@ -86,6 +123,15 @@ int run(const Diff& diff, const Globals& globals) {
   auto first = load(diff.first, diff.reading, globals, exit_code);
   auto second = load(diff.second, diff.reading, globals, exit_code);
   if (!first || !second) return exit_code;
+  const BodyMotion* a = std::get_if<BodyMotion>(&first->content);
+  const BodyMotion* b = std::get_if<BodyMotion>(&second->content);
+  if (a != nullptr && b != nullptr && !diff.is_json) {
+    return print_components(*a, *b, diff.tolerance) ? kInvalid : kDone;
+  }
+  if (a != nullptr || b != nullptr) {
+    return usage_error(globals,
+                       "diff compares two motions, or two body motions as text; convert one first");
+  }
   const MotionComparison comparison =
       compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
   if (diff.is_json) {

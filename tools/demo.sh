@@ -5,6 +5,7 @@
 set -eu
 
 bin=$(cd "$1" && pwd)
+examples=$(cd examples && pwd)
 out=$2
 mkdir -p "$out"
 say() { printf '\n== %s\n' "$*"; }
@@ -52,6 +53,20 @@ say "Other rates, mirrors, loops"
 run resample walk.amc --fps 30 --quiet -o walk_30.bvh --force
 run edit walk_30.bvh mirror trim=:60 loop=3,blend=10 in-place -o walk_loop.bvh --force
 run info walk_loop.bvh
+
+say "The same walk as Choreonoid's body motion: each joint a link, in metres, z up"
+run convert walk.bvh walk.seq --quiet --force
+run info walk.seq
+run fk walk.seq --frames 300:301 --joints link0
+
+say "A robot of 19 links bows: poses at times of their own become 50 frames a second"
+cp -f "$examples/robot.body" "$examples/robot.urdf" "$examples/bow.seq" .
+run info robot.body --quiet
+run convert bow.seq bow_50.seq --timed-rounding slerp --quiet --force
+run info bow_50.seq
+run fk bow_50.seq --skeleton robot.body --frames 40:41 --joints PELVIS,LEG_L_ANKLE_R,HEAD_P
+run fk bow_50.seq --skeleton robot.urdf --frames 40:41 --joints PELVIS,LEG_L_ANKLE_R,HEAD_P
+run convert bow_50.seq bow.bvh --skeleton robot.body --quiet --force
 
 say "A file that was cut off is told with its place"
 head -c 20000 walk.bvh >cut.bvh

@@ -36,6 +36,24 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
              count(Severity::Warning, "warning"), count(Severity::Note, "note"));
 }
 
+/// A breach of a limit in words.
+std::string text_of(const LimitBreach& breach, const Skeleton& skeleton) {
+  const std::string& joint = skeleton.joints[breach.joint].name;
+  if (breach.kind == LimitBreach::Kind::TooFast) {
+    return fmt::format(
+        "joint '{}' moves at up to {:.6g} a second (to frame {}), its limit is "
+        "{:.6g}; too fast in {} frames, first in {}",
+        joint, breach.worst, breach.worst_frame, breach.limit, breach.num_frames,
+        breach.first_frame);
+  }
+  const bool is_below = breach.kind == LimitBreach::Kind::Below;
+  return fmt::format(
+      "joint '{}' goes {} to {:.6g} (frame {}), its limit is {:.6g}; beyond it in "
+      "{} frames, first in {}",
+      joint, is_below ? "down" : "up", breach.worst, breach.worst_frame, breach.limit,
+      breach.num_frames, breach.first_frame);
+}
+
 /// Notes joints that turn suddenly, which no format forbids.
 void note_sudden_turns(const std::string& path, const Document& document,
                        Diagnostics& diagnostics) {
@@ -55,18 +73,42 @@ void note_sudden_turns(const std::string& path, const Document& document,
   }
 }
 
+/// Puts a body motion on the robot that `--skeleton` names: counts that do not fit, joints that
+/// leave their limits.
+void check_on_robot(const std::string& path, Document& document, const Reading& reading,
+                    Diagnostics& diagnostics) {
+  if (reading.skeleton.empty() || has_skeleton(document)) return;
+  Diagnostics own;
+  own.warnings_are_errors = reading.is_strict;
+  const auto motion = motion_in_world(document, reading, own);
+  if (!motion && !own.has_errors()) own.add(motion.error());
+  if (motion) {
+    for (const LimitBreach& breach : find_limit_breaches(*motion)) {
+      own.add(Severity::Warning, breach.kind == LimitBreach::Kind::TooFast ? "MOT004" : "MOT003",
+              text_of(breach, motion->skeleton));
+    }
+  }
+  for (Diagnostic item : own.items()) {
+    if (item.place.source.empty()) item.place.source = source_name(path);
+    // Warnings are raised already where they are to be errors.
+    diagnostics.add(std::move(item));
+  }
+}
+
 int run(const Check& check, const Globals& globals) {
   int exit_code = kDone;
   Json all = Json::array();
   for (const std::string& path : check.files) {
     Diagnostics diagnostics;
-    const auto document = load_quietly(path, check.reading, diagnostics);
+    auto document = load_quietly(path, check.reading, diagnostics);
     if (!document) {
       exit_code = worse(exit_code, exit_code_of(document.error()));
       // A fault of the file itself, not of its content, is not among the diagnostics yet.
       if (!diagnostics.has_errors()) diagnostics.add(document.error());
     } else {
       note_sudden_turns(path, *document, diagnostics);
+      check_on_robot(path, *document, check.reading, diagnostics);
+      if (diagnostics.has_errors()) exit_code = worse(exit_code, kInvalid);
     }
     if (check.is_json) {
       for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));

@@ -37,6 +37,7 @@ PUBLIC = {
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "pose_table": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "retime": "retime", "edit": "edit", "channels": "edit", "anomalies": "kinematics",
+    "limits": "kinematics",
     "bridge": "bridge", "body_bridge": "bridge", "convert": "convert", "io": "io",
     "kinefile": "all",
 }

@@ -18,6 +18,7 @@
 #include "kinefile/io.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/limits.hpp"
 #include "kinefile/math.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/pose_table.hpp"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/limits.hpp"
+
+#include <cmath>
+
+namespace kinefile {
+namespace {
+
+/// Counts a frame that is beyond a limit by so much.
+void count(LimitBreach& breach, std::size_t frame, double value, double excess, double& worst) {
+  if (!(excess > 0)) return;
+  if (breach.num_frames == 0) breach.first_frame = frame;
+  ++breach.num_frames;
+  if (!(excess > worst)) return;
+  worst = excess;
+  breach.worst = value;
+  breach.worst_frame = frame;
+}
+
+void find_breaches(const Motion& motion, std::size_t joint, const DegreeOfFreedom& dof,
+                   std::vector<LimitBreach>& breaches) {
+  using Kind = LimitBreach::Kind;
+  LimitBreach below{Kind::Below, joint, 0, 0, 0, 0, dof.lower};
+  LimitBreach above{Kind::Above, joint, 0, 0, 0, 0, dof.upper};
+  LimitBreach fast{Kind::TooFast, joint, 0, 0, 0, 0, dof.max_speed};
+  double worst_below = 0, worst_above = 0, worst_fast = 0;
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const double value = motion.clip.row(f)[dof.coordinate];
+    count(below, f, value, dof.lower - value, worst_below);
+    count(above, f, value, value - dof.upper, worst_above);
+    if (f == 0) continue;
+    const double way = value - motion.clip.row(f - 1)[dof.coordinate];
+    const double time =
+        time_of_frame(motion.clip.timeline, f) - time_of_frame(motion.clip.timeline, f - 1);
+    const double speed = std::abs(way) / time;
+    if (std::isfinite(speed)) count(fast, f, speed, speed - dof.max_speed, worst_fast);
+  }
+  for (const LimitBreach& breach : {below, above, fast}) {
+    if (breach.num_frames > 0) breaches.push_back(breach);
+  }
+}
+
+}  // namespace
+
+std::vector<LimitBreach> find_limit_breaches(const Motion& motion) {
+  std::vector<LimitBreach> breaches;
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    for (const DegreeOfFreedom& dof : motion.skeleton.joints[j].dofs) {
+      if (dof.kind != DofKind::Free) find_breaches(motion, j, dof, breaches);
+    }
+  }
+  return breaches;
+}
+
+}  // namespace kinefile

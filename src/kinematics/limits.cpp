@@ -6,9 +6,12 @@
 namespace kinefile {
 namespace {
 
+/// A value this near to its limit, as a share of it, may have been rounded.
+constexpr double kTolerance = 1e-9;
+
 /// Counts a frame that is beyond a limit by so much.
 void count(LimitBreach& breach, std::size_t frame, double value, double excess, double& worst) {
-  if (!(excess > 0)) return;
+  if (!(excess > kTolerance * std::abs(breach.limit))) return;
   if (breach.num_frames == 0) breach.first_frame = frame;
   ++breach.num_frames;
   if (!(excess > worst)) return;

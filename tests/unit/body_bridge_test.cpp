@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/body_bridge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "kinefile/compare.hpp"
+#include "support/support.hpp"
+
+namespace kinefile::test {
+namespace {
+
+/// A root, a hinge about z half a metre along x, and a slide along x one metre beyond.
+Skeleton robot() {
+  Skeleton skeleton;
+  skeleton.angle_unit = AngleUnit::Radians;
+  skeleton.metres_per_unit = 1;
+  const char* const names[] = {"BASE", "HINGE", "SLIDE"};
+  for (const char* name : names) skeleton.joints.emplace_back().name = name;
+  for (const char* channel : {"x", "y", "z", "qw", "qx", "qy", "qz"}) {
+    skeleton.coordinates.push_back({0, channel});
+  }
+  skeleton.joints[0].dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  skeleton.joints[1].parent = 0;
+  skeleton.joints[1].offset = {0.5, 0, 0};
+  skeleton.joints[1].dofs = {{DofKind::Rotation, Vec3::UnitZ(), 7, 0}};
+  skeleton.joints[2].parent = 1;
+  skeleton.joints[2].offset = {1, 0, 0};
+  skeleton.joints[2].dofs = {{DofKind::Translation, Vec3::UnitX(), 8, 0}};
+  skeleton.coordinates.push_back({1, "q"});
+  skeleton.coordinates.push_back({2, "q"});
+  return skeleton;
+}
+
+Component component(ComponentKind kind, std::string_view content, std::size_t num_parts,
+                    std::vector<double> values) {
+  Component made;
+  made.kind = kind;
+  made.content = content;
+  made.num_parts = num_parts;
+  made.values = std::move(values);
+  made.num_frames = made.values.size() / made.row_size();
+  made.timeline = {Timeline::Given::FrameRate, 10, 0, {}};
+  return made;
+}
+
+Component root_at(double x, double y, double z, std::size_t num_frames = 1) {
+  Component links = component(ComponentKind::Poses, kLinkPosition, 1, {});
+  for (std::size_t f = 0; f < num_frames; ++f) {
+    for (const double v : {x, y, z, 1.0, 0.0, 0.0, 0.0}) links.values.push_back(v);
+  }
+  links.num_frames = num_frames;
+  return links;
+}
+
+Vec3 position(const WorldPoses& poses, std::size_t joint) {
+  return Vec3(poses.positions.data() + joint * 3);
+}
+
+TEST(BodyBridge, JointsMoveByKinematicsBehindTheRoot) {
+  const BodyMotion body{{root_at(1, 2, 3), component(ComponentKind::Values, kJointDisplacement, 2,
+                                                     {std::numbers::pi / 2, 0.25})}};
+  Diagnostics diagnostics;
+  const auto motion = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(diagnostics.items().empty()) << text_of(diagnostics);
+  const WorldPoses poses = forward_kinematics(motion->skeleton, motion->clip);
+  EXPECT_NEAR((position(poses, 1) - Vec3(1.5, 2, 3)).norm(), 0, 1e-15);
+  EXPECT_NEAR((position(poses, 2) - Vec3(1.5, 3.25, 3)).norm(), 0, 1e-15);
+}
+
+TEST(BodyBridge, LongerJointsAreCutAndShorterOnesRefusedOrHeld) {
+  BodyMotion body{{root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 2,
+                                                  {0.1, 0, 0.2, 0, 0.3, 0})}};
+  Diagnostics diagnostics;
+  const auto cut = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->clip.num_frames, 2u);
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG014"});
+
+  body.components[0] = root_at(0, 0, 0, 5);
+  const auto refused = pose(body, robot(), false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "BRG011");
+  const auto held = pose(body, robot(), true, diagnostics);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->clip.row(4)[7], 0.3);
+}
+
+TEST(BodyBridge, CountsThatAreNotTheModelsAreTold) {
+  const BodyMotion body{
+      {root_at(0, 0, 0), component(ComponentKind::Values, kJointDisplacement, 3, {0.1, 0.2, 9})}};
+  Diagnostics diagnostics;
+  const auto motion = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->clip.row(0)[8], 0.2);
+  ASSERT_EQ(diagnostics.items().size(), 1u);
+  EXPECT_EQ(diagnostics.items()[0].message,
+            "the model has 2 joints, the motion 3; the last ones are left out");
+}
+
+TEST(BodyBridge, RollPitchYawStaysInTheRoot) {
+  Component links = component(ComponentKind::Poses, kLinkPosition, 1, {});
+  links.pose_form = PoseForm::RollPitchYaw;
+  links.values = {1, 2, 3, 0.1, 0.2, 0.3};
+  links.num_frames = 1;
+  const BodyMotion body{
+      {links, component(ComponentKind::Values, kJointDisplacement, 2, {0.5, 0.25})}};
+  Diagnostics diagnostics;
+  const auto motion = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  ASSERT_TRUE(validate(motion->skeleton));
+  EXPECT_EQ(motion->clip.values, (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 0.5, 0.25}));
+  const WorldPoses poses = forward_kinematics(motion->skeleton, motion->clip, {.rotations = true});
+  const auto q = quaternion_of_pose(PoseForm::RollPitchYaw, links.row(0));
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(poses.rotations[k], q[k], 1e-15);
+}
+
+TEST(BodyBridge, RecordedLinksStandInThePlaceOfComputedOnesAndMoveNoOthers) {
+  // Two of three links were recorded: the slide follows the hinge of the kinematics.
+  Component links =
+      component(ComponentKind::Poses, kLinkPosition, 2, {0, 0, 1, 1, 0, 0, 0, 5, 5, 5, 0, 0, 0, 2});
+  const BodyMotion body{{links, component(ComponentKind::Values, kJointDisplacement, 2, {0, 0.5})}};
+  Diagnostics diagnostics;
+  const auto motion = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  WorldPoses poses = forward_kinematics(motion->skeleton, motion->clip, {.rotations = true});
+  put_recorded_links(body, motion->skeleton, poses);
+  EXPECT_EQ(position(poses, 1), Vec3(5, 5, 5));
+  EXPECT_NEAR((position(poses, 2) - Vec3(2, 0, 1)).norm(), 0, 1e-15);
+  EXPECT_EQ(poses.rotations[7], 1);  // of unit length
+}
+
+TEST(BodyBridge, AllLinksGiveTheJointsBack) {
+  std::vector<double> values;
+  for (int f = 0; f < 50; ++f) {  // the hinge turns more than once around
+    values.push_back(0.2 * f);
+    values.push_back(0.01 * f);
+  }
+  const BodyMotion body{
+      {root_at(1, 2, 3, 50), component(ComponentKind::Values, kJointDisplacement, 2, values)}};
+  Diagnostics diagnostics;
+  const auto motion = pose(body, robot(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  const auto links = project(*motion, BodyForm::Links, nullptr, diagnostics);
+  ASSERT_TRUE(links);
+  ASSERT_EQ(links->components.size(), 1u);
+  const auto again = pose(*links, robot(), false, diagnostics);
+  ASSERT_TRUE(again);
+  for (std::size_t f = 0; f < 50; ++f) {
+    EXPECT_NEAR(again->clip.row(f)[7], 0.2 * static_cast<double>(f), 1e-12);
+    EXPECT_NEAR(again->clip.row(f)[8], 0.01 * static_cast<double>(f), 1e-12);
+  }
+}
+
+TEST(BodyBridge, AZmpGoesIntoTheWorldAndBack) {
+  // The root is turned by a quarter about z: its x is the world's y.
+  Component links = component(ComponentKind::Poses, kLinkPosition, 1,
+                              {1, 2, 3, std::sqrt(0.5), 0, 0, std::sqrt(0.5)});
+  Component zmp = component(ComponentKind::Vectors, kZmp, 1, {0.5, 0, -3});
+  zmp.is_root_relative = true;
+  const BodyMotion body{{links, zmp}};
+  Diagnostics diagnostics;
+  const auto world = with_zmp(body, false, diagnostics);
+  ASSERT_TRUE(world);
+  const auto point = world->components[1].row(0);
+  EXPECT_NEAR((Vec3(point[0], point[1], point[2]) - Vec3(1, 2.5, 0)).norm(), 0, 1e-15);
+  const auto back = with_zmp(*world, true, diagnostics);
+  ASSERT_TRUE(back);
+  const auto own = back->components[1].row(0);
+  EXPECT_NEAR((Vec3(own[0], own[1], own[2]) - Vec3(0.5, 0, -3)).norm(), 0, 1e-15);
+}
+
+TEST(BodyBridge, PartsComeBackAsTheyWere) {
+  for (const PoseForm form : {PoseForm::Quaternion, PoseForm::RollPitchYaw}) {
+    Component links = component(ComponentKind::Poses, kLinkPosition, 2, {});
+    links.pose_form = form;
+    links.num_frames = 3;
+    for (std::size_t i = 0; i < 3 * links.row_size(); ++i) {
+      links.values.push_back(std::sin(static_cast<double>(i)));
+    }
+    const Motion motion = motion_of_component(links);
+    EXPECT_TRUE(validate(motion.skeleton));
+    EXPECT_EQ(with_frames_of(links, motion).values, links.values);
+  }
+}
+
+TEST(BodyBridge, JointsThatMoveFreelyGetThreePositionsAndThreeAngles) {
+  Component links = component(ComponentKind::Poses, kLinkPosition, 2, {});
+  links.num_frames = 20;
+  for (int f = 0; f < 20; ++f) {
+    for (int link = 0; link < 2; ++link) {
+      const double angle = 0.3 * f + link;
+      for (const double v :
+           {0.1 * f, 1.0, 2.0, std::cos(angle / 2), 0.0, 0.0, std::sin(angle / 2)}) {
+        links.values.push_back(v);
+      }
+    }
+  }
+  const Motion free = motion_of_component(links);
+  const Motion bound = without_free_joints(free);
+  ASSERT_TRUE(validate(bound.skeleton));
+  const MotionComparison comparison = compare_motions(free, bound);
+  EXPECT_LT(comparison.distance.value, 1e-14);
+  EXPECT_LT(comparison.rotation.value, 1e-5);
+  EXPECT_NEAR(bound.clip.row(19)[3], 0.3 * 19, 1e-12);  // no jump at half a turn
+}
+
+}  // namespace
+}  // namespace kinefile::test

@@ -25,7 +25,8 @@ struct KinematicsOptions {
 /// \param clip      values in the skeleton's units; as many columns as it has coordinates
 /// \returns         world_from_joint; row 0 is `options.first_frame`
 /// Column vectors, right-handed: world_from_joint = world_from_parent * parent_from_joint.
-/// Values that are not finite give poses that are not; a free joint's quaternion is normalised.
+/// Values that are not finite give poses that are not; a free joint's quaternion is normalised
+/// unless the square of its length is within 1e-8 of 1, as rounding to nine digits leaves it.
 /// Source: the format document's worked example; Meredith and Maddock, "Motion Capture File
 /// Formats Explained", section 3.
 WorldPoses forward_kinematics(const Skeleton& skeleton, const Clip& clip,

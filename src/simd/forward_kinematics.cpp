@@ -126,14 +126,19 @@ void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, boo
   turn_columns(rotation[(turn.axis + 1) % 3], rotation[(turn.axis + 2) % 3], sine, cosine);
 }
 
+/// How far the square of a quaternion's length may be from 1 by the rounding of nine digits, as
+/// Choreonoid writes them. Such a quaternion is taken as it is, which Choreonoid does with any.
+constexpr double kRoundedSquare = 1e-8;
+
 /// The rotation of a free joint, whose quaternion is normalised here and only here.
 void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block& block) {
   std::array<Lanes, 4> q;
   for (std::size_t k = 0; k < 4; ++k) block.load(coordinate + k, q[k]);
   MatrixLanes factor;
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const double length = std::sqrt(q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i] +
-                                    q[2].v[i] * q[2].v[i] + q[3].v[i] * q[3].v[i]);
+    const double square = q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i] + q[2].v[i] * q[2].v[i] +
+                          q[3].v[i] * q[3].v[i];
+    const double length = std::abs(square - 1) <= kRoundedSquare ? 1 : std::sqrt(square);
     const double w = q[0].v[i] / length;
     const double x = q[1].v[i] / length;
     const double y = q[2].v[i] / length;

@@ -68,6 +68,11 @@ void add_convert(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"links", "joints", "both"}))
       ->type_name("FORM");
   command
+      ->add_option("--map", convert->writing.joint_map,
+                   "A YAML file that says which joint of a motion each joint of a robot follows, "
+                   "where their names differ")
+      ->type_name("FILE");
+  command
       ->add_option("--up", convert->writing.up,
                    "The axis that points up in the output: z is usual for .seq, y for others")
       ->check(CLI::IsMember({"y", "z", "as-is"}))

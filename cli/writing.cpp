@@ -84,16 +84,31 @@ KindOptions kind_options(const Writing& writing, const Reading& reading) {
   return options;
 }
 
+Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostics) {
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return fail(bytes.error());
+  return parse_joint_map(bytes->view(), path, diagnostics);
+}
+
 /// Brings a document into a kind that the format can write, on the robot that `--skeleton` names.
 Result<Document> in_wanted_kind(Document&& document, const Format& format, const Writing& writing,
                                 const Reading& reading, Diagnostics& diagnostics) {
   KindOptions options = kind_options(writing, reading);
   std::optional<Document> model;
-  if (std::holds_alternative<BodyMotion>(document.content)) {
+  // A skeleton that a motion was read with is none to put it on.
+  const bool is_body = std::holds_alternative<BodyMotion>(document.content);
+  const bool wants_robot = format.name == "choreonoid" && !writing.form.empty() &&
+                           find_format(document.format)->companion.empty();
+  if (is_body || wants_robot) {
     auto loaded = load_skeleton(reading, diagnostics);
     if (!loaded) return fail(std::move(loaded.error()));
     model = std::move(*loaded);
-    if (model) options.model = &skeleton_of(*model);
+    if (model) options.model = &*model;
+  }
+  if (!writing.joint_map.empty()) {
+    auto map = load_joint_map(writing.joint_map, diagnostics);
+    if (!map) return fail(std::move(map.error()));
+    options.joint_map = std::move(*map);
   }
   return in_kind_of(format, std::move(document), options, diagnostics);
 }

@@ -17,6 +17,7 @@ struct Writing {
   ChannelOptions channels;  ///< that the motion is to have
   WriteOptions format;      ///< what single formats can be told
   std::string form;         ///< of a body motion: links, joints, both; empty: as it is
+  std::string joint_map;    ///< a file: which joint a robot's joints follow
   std::string up;           ///< y, z or as-is; empty: what the format has
 };
 

@@ -34,7 +34,7 @@ LAYERS = {
 PUBLIC = {
     "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
-    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "pose_table": "model",
+    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "pose_table": "model", "joint_map": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "retime": "retime", "edit": "edit", "channels": "edit", "anomalies": "kinematics",
     "limits": "kinematics",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,21 @@ enum class BodyForm {
 /// \errors BRG013 (Usage) if `form` wants joints and the motion is not a robot's
 Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion* other,
                            Diagnostics& diagnostics);
+
+/// What joints of figures and links of robots are called, so that they can be matched.
+struct RobotNames {
+  std::map<std::string, std::string> joint_of_link;  ///< names of a robot's joints, by their links
+  std::map<std::string, std::string> source_of;      ///< a link or joint of the robot to the joint
+                                                     ///< of the figure that it follows
+};
+
+/// Puts a motion on a robot: each link follows the joint of its name, of its joint's name, or that
+/// `names` says; the root follows the root. A link turns from its rest pose as the joint does from
+/// its own; up to three joints in a row bring that about. Positions are the root's, in metres. z is
+/// up in both. What cannot be done is told in warnings; feet may slide and float.
+/// \errors BRG012 (Usage) if `robot` is none; BRG016 (Usage) if no names match
+Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
+                              Diagnostics& diagnostics);
 
 /// Whether a skeleton is a robot's as our readers make it: one root, which moves freely and reads
 /// the first seven columns, and joints that move in one way at most.

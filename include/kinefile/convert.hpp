@@ -7,6 +7,7 @@
 #include "kinefile/channels.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/joint_map.hpp"
 
 namespace kinefile {
 
@@ -22,7 +23,8 @@ Result<Document> adapted_to(const Format& format, Document document, const Chann
 /// How a motion becomes a body motion, or the other way around.
 struct KindOptions {
   std::optional<BodyForm> form = std::nullopt;  ///< absent: as it is; joints of a robot, else links
-  const Skeleton* model = nullptr;              ///< the robot of a body motion; null: none
+  const Document* model = nullptr;              ///< the robot of the body motion; null: none
+  JointMap joint_map = {};                      ///< for a motion that goes onto it
   std::optional<std::size_t> up = std::nullopt;  ///< the axis that is to point up, 1 y or 2 z;
                                                  ///< absent: z for body motions, y for BVH and ASF
   bool keeps_up = false;                         ///< leaves the axes as they are

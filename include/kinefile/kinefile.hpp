@@ -16,6 +16,7 @@
 #include "kinefile/edit.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/io.hpp"
+#include "kinefile/joint_map.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/limits.hpp"

@@ -5,17 +5,12 @@
 #include <numbers>
 
 namespace kinefile::bridging {
-namespace {
 
-/// The angle about an axis that comes nearest to a rotation, on the turn that is nearest to
-/// another.
 double angle_about(const Quat& q, const Vec3& axis, double near) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double angle = 2 * std::atan2(q.vec().dot(axis), q.w());
   return angle + kTurn * std::round((near - angle) / kTurn);
 }
-
-}  // namespace
 
 Quat rotation_of(const Component& links, std::span<const double> pose) {
   const auto q = quaternion_of_pose(links.pose_form, pose);

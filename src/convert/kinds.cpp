@@ -34,25 +34,13 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   return with_up_axis(motion, up, diagnostics);
 }
 
-Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
-  const bool is_of_robot = is_robot(motion.skeleton);
-  const BodyForm usual = is_of_robot ? BodyForm::Joints : BodyForm::Links;
-  if (!is_of_robot) {
-    motion.skeleton.metres_per_unit = settle_unit(motion.skeleton, diagnostics);
-    auto turned = turned_up(std::move(motion), 2, options, diagnostics);
-    if (!turned) return fail(std::move(turned.error()));
-    motion = std::move(*turned);
-  }
-  return project(motion, options.form.value_or(usual), nullptr, diagnostics);
-}
-
 Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
                            Diagnostics& diagnostics) {
   if (options.model == nullptr) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a model for --form, found none; --skeleton names one"));
   }
-  const auto posed = pose(body, *options.model, options.lenient, diagnostics);
+  const auto posed = pose(body, skeleton_of(*options.model), options.lenient, diagnostics);
   if (!posed) return fail(posed.error());
   if (!is_robot(posed->skeleton)) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
@@ -60,6 +48,35 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
                            "--se3-format XYZQWQXQYQZ first"));
   }
   return project(*posed, *options.form, &body, diagnostics);
+}
+
+/// What the robot's joints are called, and what they follow.
+RobotNames names_of(const KindOptions& options) {
+  RobotNames names;
+  names.source_of = options.joint_map;
+  for (const auto& [link, words] : options.model->extras.joints) {
+    const auto joint = words.find("joint_name");
+    if (joint != words.end()) names.joint_of_link[link] = joint->second;
+  }
+  return names;
+}
+
+Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
+  const bool is_of_robot = is_robot(motion.skeleton);
+  const bool wants_joints = options.form && *options.form != BodyForm::Links;
+  const BodyForm usual = is_of_robot ? BodyForm::Joints : BodyForm::Links;
+  if (!is_of_robot) {
+    motion.skeleton.metres_per_unit = settle_unit(motion.skeleton, diagnostics);
+    auto turned = turned_up(std::move(motion), 2, options, diagnostics);
+    if (!turned) return fail(std::move(turned.error()));
+    motion = std::move(*turned);
+  }
+  if (is_of_robot || !wants_joints || options.model == nullptr) {
+    return project(motion, options.form.value_or(usual), nullptr, diagnostics);
+  }
+  auto body = onto_robot(motion, skeleton_of(*options.model), names_of(options), diagnostics);
+  if (!body || *options.form == BodyForm::Joints) return body;
+  return in_form(*body, options, diagnostics);
 }
 
 void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnostics) {
@@ -76,8 +93,9 @@ void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnosti
 Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                          Diagnostics& diagnostics) {
   tell_dropped(body, options.model != nullptr, diagnostics);
-  auto posed = options.model != nullptr ? pose(body, *options.model, options.lenient, diagnostics)
-                                        : motion_of_links(body);
+  auto posed = options.model != nullptr
+                   ? pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
+                   : motion_of_links(body);
   if (!posed) return posed;
   return turned_up(without_free_joints(*posed), 1, options, diagnostics);
 }

@@ -47,14 +47,16 @@ void negate_column(Clip& clip, std::size_t column) {
   }
 }
 
-void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    for (const std::size_t part : {first, first + 4}) {
-      const Eigen::Map<Vec3> vector(&clip.row(f)[part]);
-      const Vec3 turned = turn(vector);
-      std::copy(turned.begin(), turned.end(), &clip.row(f)[part]);
-    }
+/// Turns a position and a rotation, x y z qw qx qy qz.
+void turn_free_pose(const QuarterTurn& turn, double* pose) {
+  for (double* part : {pose, pose + 4}) {
+    const Vec3 turned = turn(Vec3(part));
+    std::copy(turned.begin(), turned.end(), part);
   }
+}
+
+void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
+  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &clip.row(f)[first]);
 }
 
 /// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
@@ -69,6 +71,7 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
       (dof.kind == DofKind::Rotation || dof.kind == DofKind::Translation)) {
     dof.axis = opposite(dof.axis);
     dof.rest = -dof.rest;
+    dof.lower = -std::exchange(dof.upper, -dof.lower);
     negate_column(motion.clip, dof.coordinate);
   }
   std::string& channel = motion.skeleton.coordinates[dof.coordinate].channel;
@@ -90,6 +93,7 @@ bool turns_about_plain_axes(const Joint& joint) {
 void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers, Joint& joint,
                 Motion& motion) {
   joint.offset = turn(joint.offset);
+  turn_free_pose(turn, joint.free_rest.data());
   for (Tip& tip : joint.tips) tip.offset = turn(tip.offset);
   joint.rest_rotation.vec() = turn(joint.rest_rotation.vec());
   const bool is_plain = turns_about_plain_axes(joint);
@@ -134,8 +138,10 @@ Motion scaled(const Motion& motion, double factor) {
   for (Joint& joint : result.skeleton.joints) {
     joint.offset *= factor;
     for (Tip& tip : joint.tips) tip.offset *= factor;
+    for (std::size_t k = 0; k < 3; ++k) joint.free_rest[k] *= factor;
     for (DegreeOfFreedom& dof : joint.dofs) {
-      if (is_length(dof.kind)) dof.rest *= factor;
+      if (!is_length(dof.kind)) continue;
+      for (double* value : {&dof.rest, &dof.lower, &dof.upper, &dof.max_speed}) *value *= factor;
     }
   }
   const std::vector<bool> is_scaled = length_columns(motion.skeleton);

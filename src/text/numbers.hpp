@@ -59,8 +59,9 @@ NumberRow read_number_row(const char* begin, const char* end, double* out, std::
 
 struct NumberList {
   std::size_t count = 0;
-  bool ends_with_comma = false;  ///< or holds nothing
-  const char* next = nullptr;    ///< what is no part of the list
+  bool ends_with_comma = true;  ///< or holds nothing
+  bool has_break = false;       ///< whether it goes over several lines
+  const char* next = nullptr;   ///< what is no part of the list
 };
 
 /// Reads numbers that are separated by commas, over any number of lines, exact to the last bit, and

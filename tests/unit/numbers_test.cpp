@@ -83,6 +83,43 @@ TEST(ParseNumber, ReadsRandomNumbersAsTheLibraryDoes) {
   }
 }
 
+TEST(ReadNumberList, NumbersOfManyDigitsAreWhatTheLibraryMakesOfThem) {
+  // Long and short ones take turns, so that every way through is taken after every other.
+  std::mt19937_64 random(7);
+  std::string text;
+  std::vector<double> expected;
+  for (int i = 0; i < 200'000; ++i) {
+    const int num_digits = static_cast<int>(random() % 22) + 1;
+    std::string digits;
+    for (int k = 0; k < num_digits; ++k) digits += static_cast<char>('0' + random() % 10);
+    const std::size_t point = random() % (digits.size() + 1);
+    digits.insert(point, digits.size() == point ? "" : ".");
+    if (digits == "." || digits.empty()) digits = "0";
+    const std::string number = (random() % 2 == 0 ? "-" : "") + digits;
+    expected.push_back(std::strtod(number.c_str(), nullptr));
+    text += (i > 0 ? ", " : "") + number;
+  }
+  text += " ]";
+  std::vector<double> found;
+  const NumberList list = read_number_list(text.data(), text.data() + text.size(), found);
+  EXPECT_EQ(list.count, expected.size());
+  EXPECT_EQ(*list.next, ']');
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(bits(found[i]), bits(expected[i])) << "number " << i;
+  }
+}
+
+TEST(ReadNumberList, TellsOfLineEndsAndCommas) {
+  std::vector<double> out;
+  const std::string text = "1, 2,\r\n 3 , ]";
+  const NumberList list = read_number_list(text.data(), text.data() + text.size(), out);
+  EXPECT_EQ(list.count, 3u);
+  EXPECT_TRUE(list.has_break);
+  EXPECT_TRUE(list.ends_with_comma);
+  EXPECT_EQ(*list.next, ']');
+}
+
 TEST(ParseNumber, RefusesWhatIsNotAllANumber) {
   for (const char* token : {"", "abc", "1x", "1.2.3", "--1", "+-1", "++1", "1e", "e5", ".", "-",
                             "0x10", "1_000", "1,2,3", "nan(5)", "infinite", "1.0,5"}) {

@@ -57,11 +57,11 @@ std::size_t Cursor::index() const {
   return count_;
 }
 
-const char* find_forbidden_character(std::string_view text) {
-  const char* const end = text.data() + text.size();
+const char* find_forbidden_character(std::string_view part, const char* text_end) {
+  const char* const end = part.data() + part.size();
   // A block at a time, since nearly all blocks hold nothing that needs a closer look.
   constexpr std::ptrdiff_t kBlock = 4096;
-  for (const char* block = text.data(); block != end;) {
+  for (const char* block = part.data(); block != end;) {
     const char* const block_end = block + std::min(kBlock, end - block);
     unsigned suspects = 0;
     for (const char* p = block; p != block_end; ++p) {
@@ -70,8 +70,8 @@ const char* find_forbidden_character(std::string_view text) {
       suspects |= static_cast<unsigned>(c >= 0x7F);
     }
     if (suspects != 0) {
-      const char* const found =
-          std::find_if(block, block_end, [end](const char& c) { return is_forbidden(&c, end); });
+      const char* const found = std::find_if(
+          block, block_end, [text_end](const char& c) { return is_forbidden(&c, text_end); });
       if (found != block_end) return found;
     }
     block = block_end;

@@ -65,7 +65,8 @@ class Cursor {
   mutable std::size_t count_ = 0;  ///< the characters before `counted_`
 };
 
-/// The first character that YAML does not allow in a text, or null: control characters, U+FFFE.
-const char* find_forbidden_character(std::string_view text);
+/// The first character that YAML does not allow in a part of a text, or null: control characters,
+/// U+FFFE.
+const char* find_forbidden_character(std::string_view part, const char* text_end);
 
 }  // namespace kinefile::text::yaml

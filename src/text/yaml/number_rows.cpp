@@ -2,7 +2,6 @@
 #include "text/yaml/number_rows.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "text/numbers.hpp"
 
@@ -16,6 +15,12 @@ bool is_space(char c) { return is_blank(c) || is_line_end(c); }
 
 const char* skip_space(const char* p, const char* end) {
   while (p != end && is_space(*p)) ++p;
+  return p;
+}
+
+/// As the other; tells whether that went over the end of a line.
+const char* skip_space(const char* p, const char* end, bool& has_break) {
+  for (; p != end && is_space(*p); ++p) has_break |= is_line_end(*p);
   return p;
 }
 
@@ -37,13 +42,8 @@ struct MoreLines {
   bool may_be_indented_by_tabs = false;
 };
 
-MoreLines more_lines(const char* begin, const char* end, bool may_have_returns) {
+MoreLines more_lines(const char* begin, const char* end) {
   MoreLines lines;
-  const auto size = static_cast<std::size_t>(end - begin);
-  // Nearly all rows are on one line.
-  const bool has_break = std::memchr(begin, '\n', size) != nullptr ||
-                         (may_have_returns && std::memchr(begin, '\r', size) != nullptr);
-  if (!has_break) return lines;
   for (const char* p = begin; p != end; ++p) {
     lines.may_be_indented_by_tabs |= *p == '\t';
     if (!is_line_end(*p) || (*p == '\r' && p[1] == '\n')) continue;
@@ -60,15 +60,10 @@ bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
     values_.clear();
     num_popped_ = 0;
   }
-  if (!is_looked_through_) {
-    const auto size = static_cast<std::size_t>(cursor.end() - cursor.position());
-    has_returns_ = std::memchr(cursor.position(), '\r', size) != nullptr;
-    is_looked_through_ = true;
-  }
   const std::size_t num_before = values_.size();
   const char* const end = read_groups(cursor.position(), cursor.end());
   if (end != nullptr && is_alone(end, cursor.end(), is_in_flow)) {
-    const MoreLines lines = more_lines(cursor.position(), end, has_returns_);
+    const MoreLines lines = has_break_ ? more_lines(cursor.position(), end) : MoreLines{};
     shape = index_of_shape();
     if (shape < kMostShapes && !lines.may_be_indented_by_tabs) {
       cursor.jump(end, lines.count, lines.last);
@@ -88,16 +83,20 @@ std::span<const double> NumberRows::pop(std::size_t shape) {
 /// Reads a row from its bracket on, and its shape; returns what follows its end, or null.
 const char* NumberRows::read_groups(const char* p, const char* end) {
   current_.clear();
+  has_break_ = false;
   bool has_comma = true;
-  for (p = skip_space(p + 1, end); p != end && *p != ']'; p = skip_space(p, end)) {
+  for (p = skip_space(p + 1, end, has_break_); p != end && *p != ']';
+       p = skip_space(p, end, has_break_)) {
     if (!has_comma) return nullptr;
-    const NumberList list = read_number_list(*p == '[' ? skip_space(p + 1, end) : p, end, values_);
+    const NumberList list =
+        read_number_list(*p == '[' ? skip_space(p + 1, end, has_break_) : p, end, values_);
+    has_break_ |= list.has_break;
     if (list.next == end || list.count > 0x7FFFFFFF) return nullptr;
     const auto count = static_cast<std::int32_t>(list.count);
     if (*p == '[') {
       if (*list.next != ']') return nullptr;
       current_.push_back(count == 0 ? kEmptyGroup : -count);
-      p = skip_space(list.next + 1, end);
+      p = skip_space(list.next + 1, end, has_break_);
       has_comma = p != end && *p == ',';
       if (has_comma) ++p;
     } else {

@@ -44,8 +44,7 @@ class NumberRows {
   std::vector<std::size_t> num_values_;  ///< of a row of each shape
   std::size_t last_shape_ = 0;
   RowShape current_;
-  bool is_looked_through_ = false;
-  bool has_returns_ = false;  ///< whether there is a CR in the text, which there seldom is
+  bool has_break_ = false;  ///< whether the row that was read goes over several lines
 };
 
 }  // namespace kinefile::text::yaml

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace kinefile::text::yaml {
 namespace {
@@ -17,19 +18,31 @@ bool starts_plain(char c) { return std::strchr("-?:,[]{}#&*!|>'\"%@`", c) == nul
 
 }  // namespace
 
-Scanner::Scanner(std::string_view text, NumberRows* rows) : cursor_(text), rows_(rows) {
-  if (const char* found = find_forbidden_character(text)) {
-    fault_ = Fault{"YML002",
-                   fmt::format("expected characters that YAML allows, found the control character "
-                               "\\x{:02x}",
-                               static_cast<unsigned char>(*found)),
-                   found};
-  }
+Scanner::Scanner(std::string_view text, NumberRows* rows)
+    : cursor_(text), rows_(rows), checked_(text.data()) {}
+
+/// Looks for characters that YAML forbids in what was not looked at yet, up to a place.
+void Scanner::check_characters(const char* end) {
+  const char* const begin = std::exchange(checked_, cursor_.position());
+  if (end <= begin) return;
+  const char* const found =
+      find_forbidden_character({begin, static_cast<std::size_t>(end - begin)}, cursor_.end());
+  if (found == nullptr) return;
+  fault_ = Fault{"YML002",
+                 fmt::format("expected characters that YAML allows, found the control character "
+                             "\\x{:02x}",
+                             static_cast<unsigned char>(*found)),
+                 found};
 }
 
 const Token* Scanner::peek() {
   while (!fault_ && needs_more()) {
-    if (!fetch()) return nullptr;
+    const bool is_good = fetch();
+    // A character that is forbidden may be what is really wrong. Rows of numbers hold none.
+    const bool is_row = is_good && last_ == TokenKind::Row;
+    const char* const next = cursor_.position();
+    check_characters(is_row ? tokens_.back().at
+                            : next + (is_good || next == cursor_.end() ? 0 : 1));
   }
   return fault_ ? nullptr : &tokens_.front();
 }

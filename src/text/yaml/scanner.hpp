@@ -55,6 +55,7 @@ class Scanner {
   void push(TokenKind kind, std::size_t bytes);
   void insert(std::size_t number, Token token);
   bool needs_more() const;
+  void check_characters(const char* end);
   bool is_stale(const KeyCandidate& candidate) const;
 
   bool fetch();
@@ -118,6 +119,7 @@ class Scanner {
   std::vector<KeyCandidate> candidates_ = {KeyCandidate{}};  ///< one a flow level, and the block's
   std::vector<bool> flow_is_sequence_;
   std::deque<std::string> kept_;
+  const char* checked_;  ///< up to here, the text holds only what YAML allows
   std::optional<Fault> fault_;
 };
 

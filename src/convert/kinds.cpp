@@ -121,6 +121,10 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
   if (body == nullptr || format.name == "json") return document;
   document.extras = {};
   document.format.clear();
+  if (format.name == "csv" && options.model != nullptr) {
+    tell_dropped(*body, true, diagnostics);
+    return put(pose(*body, skeleton_of(*options.model), options.lenient, diagnostics));
+  }
   if (format.name == "csv") {
     return put(Result<Motion>(motion_of_components(*body, diagnostics)));
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/csv/read.hpp"
 #include "text/printer.hpp"
 
 namespace kinefile::csv {
@@ -41,7 +42,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 Format format() {
   return {"csv",       "comma-separated values: a row a frame, a column a channel",
           kExtensions, {},
-          nullptr,     nullptr,
+          nullptr,     read,
           write};
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinefile/format.hpp"
+
+namespace kinefile::csv {
+
+/// Reads a table of a robot's motion: `time`, then `NAME.q` or NAME of joints in order of their
+/// ids, `NAME.x` to `NAME.qz` of links, `NAME.x` to `NAME.z` of points; a row a frame.
+Result<Document> read(std::string_view bytes, const ReadOptions& options, Diagnostics& diagnostics);
+
+}  // namespace kinefile::csv

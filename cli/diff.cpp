@@ -128,7 +128,7 @@ int run(const Diff& diff, const Globals& globals) {
   if (a != nullptr && b != nullptr && !diff.is_json) {
     return print_components(*a, *b, diff.tolerance) ? kInvalid : kDone;
   }
-  if (a != nullptr || b != nullptr) {
+  if (!has_skeleton(*first) || !has_skeleton(*second)) {
     return usage_error(globals,
                        "diff compares two motions, or two body motions as text; convert one first");
   }

@@ -31,10 +31,12 @@ Result<std::vector<Operation>> parse_operations(const std::vector<std::string>& 
 Result<void> apply(const std::vector<Operation>& operations, Document& document,
                    const EditContext& context) {
   for (const Operation& operation : operations) {
-    if (!has_skeleton(document) && !operation.works_on_parts) {
-      return fail(make_error(
-          ErrorKind::Usage, "CLI001",
-          fmt::format("'{}' needs a skeleton, and the file holds components", operation.word)));
+    const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+    if (is_flow || (!has_skeleton(document) && !operation.works_on_parts)) {
+      return fail(make_error(ErrorKind::Usage, "CLI001",
+                             fmt::format("'{}' needs a {}", operation.word,
+                                         is_flow ? "motion, and the file holds a flow of poses"
+                                                 : "skeleton, and the file holds components")));
     }
     if (operation.needs_motion && std::holds_alternative<Skeleton>(document.content)) {
       return fail(make_error(

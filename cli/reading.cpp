@@ -141,6 +141,11 @@ Result<Motion> motion_in_world(Document& document, const Reading& reading,
     still.clip.num_coordinates = skeleton->coordinates.size();
     return still;
   }
+  if (std::holds_alternative<PoseFlow>(document.content)) {
+    return fail(make_error(ErrorKind::Usage, "CLI001",
+                           "expected a motion, found a flow of poses; 'kinefile run' with a servo "
+                           "map makes a motion of it"));
+  }
   const BodyMotion& body = std::get<BodyMotion>(document.content);
   const auto model = load_skeleton(reading, diagnostics);
   if (!model) return fail(model.error());

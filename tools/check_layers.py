@@ -21,13 +21,14 @@ LAYERS = {
     "kinematics": ["base", "simd", "math", "model"],
     "retime": ["base", "simd", "math", "model", "kinematics"],
     "edit": ["base", "simd", "math", "model", "kinematics", "retime"],
-    "bridge": ["base", "simd", "math", "model", "kinematics", "edit"],
+    "flow": ["base", "model"],
+    "bridge": ["base", "simd", "math", "model", "kinematics", "edit", "flow"],
     "io": ["base", "text", "model", "registry"],
-    "convert": ["base", "math", "model", "registry", "kinematics", "edit", "bridge", "io"],
-    "all": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit",
+    "convert": ["base", "math", "model", "registry", "kinematics", "edit", "flow", "bridge", "io"],
+    "all": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit", "flow",
             "bridge", "convert", "io"],
     "cli": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit",
-            "bridge", "convert", "io", "all"],
+            "flow", "bridge", "convert", "io", "all"],
 }
 
 # The layer that declares what a public header has.
@@ -38,6 +39,8 @@ PUBLIC = {
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "retime": "retime", "edit": "edit", "channels": "edit", "anomalies": "kinematics",
     "limits": "kinematics",
+    "pose_flow": "model", "robot_project": "model", "servo_map": "model",
+    "flow": "flow", "servo_motion": "bridge",
     "bridge": "bridge", "body_bridge": "bridge", "convert": "convert", "io": "io",
     "kinefile": "all",
 }

@@ -7,6 +7,7 @@
 
 #include "kinefile/body_motion.hpp"
 #include "kinefile/motion.hpp"
+#include "kinefile/pose_flow.hpp"
 
 namespace kinefile {
 
@@ -19,15 +20,16 @@ struct Extras {
 
 /// The content of a file: one of the kinds of the model.
 struct Document {
-  std::variant<Motion, Skeleton, BodyMotion> content;
+  std::variant<Motion, Skeleton, BodyMotion, PoseFlow> content;
   std::string format;  ///< the name of the format that it was read from, "bvh"
   Extras extras;
 };
 
-/// The word for what a document holds: "motion", "skeleton" or "body_motion".
+/// The word for what a document holds: "motion", "skeleton", "body_motion" or "pose_flow".
 std::string_view kind_name(const Document& document);
 
-/// The skeleton of a motion, or the skeleton itself. A body motion has none: a precondition.
+/// The skeleton of a motion, or the skeleton itself. A body motion and a flow have
+/// none: a precondition.
 const Skeleton& skeleton_of(const Document& document);
 
 /// Whether a document has a skeleton: a motion or a skeleton alone.

@@ -14,6 +14,8 @@
 
 namespace kinefile {
 
+struct RobotProject;
+
 /// What a BVH position channel does to the same component of the joint's OFFSET. No file says it,
 /// and programs disagree: see docs/formats/bvh.md.
 enum class PositionMode {
@@ -71,6 +73,8 @@ struct ReadOptions {
   std::shared_ptr<const Document> skeleton = nullptr;
   std::string skeleton_name = {};  ///< a path, and how diagnostics call it
   Resolver companions = {};
+  /// Of a flow: the robot's project, for degrees and for checks of words and sounds.
+  std::shared_ptr<const RobotProject> project = nullptr;
 };
 
 /// How to write a file.
@@ -84,6 +88,11 @@ struct WriteOptions {
   std::string se3_format = {};   ///< of .seq: "XYZQWQXQYQZ", ...; empty: the file's own
   YamlStyle style = YamlStyle::Kept;
   bool choreonoid_digits = false;  ///< nine significant digits, as Choreonoid writes
+  std::string encoding = {};  ///< of a flow: "utf-16le", "cp932", "utf-8"; empty: the file's own
+  /// Of a flow's table: the robot's project, with which words are degrees.
+  std::shared_ptr<const RobotProject> project = nullptr;
+  bool in_degrees = false;   ///< words of sliders that have degrees
+  bool is_relative = false;  ///< degrees from the base pose on
 };
 
 /// Takes the next piece of the output; returns false to stop.

@@ -104,6 +104,17 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
 
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics) {
+  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+  const bool takes_flows = format.name == "csv" || format.name == "json";
+  if (is_flow != (format.name == "robovie") && !(is_flow && takes_flows)) {
+    return fail(make_error(
+        ErrorKind::Usage, "CNV006",
+        is_flow ? "a flow of poses has no motion until it is run: 'kinefile run' with a servo map "
+                  "makes one"
+                : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo "
+                  "map"));
+  }
+  if (is_flow) return document;
   const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
   const Motion* motion = std::get_if<Motion>(&document.content);
   const auto put = [&](auto&& made) -> Result<Document> {

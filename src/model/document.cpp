@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/document.hpp"
 
+#include <iterator>
+
 namespace kinefile {
 
 std::string_view kind_name(const Document& document) {
-  if (std::holds_alternative<BodyMotion>(document.content)) return "body_motion";
-  return std::holds_alternative<Motion>(document.content) ? "motion" : "skeleton";
+  constexpr std::string_view kNames[] = {"motion", "skeleton", "body_motion", "pose_flow"};
+  static_assert(std::size(kNames) == std::variant_size_v<decltype(document.content)>);
+  return kNames[document.content.index()];
 }
 
 const Skeleton& skeleton_of(const Document& document) {
@@ -14,7 +17,8 @@ const Skeleton& skeleton_of(const Document& document) {
 }
 
 bool has_skeleton(const Document& document) {
-  return !std::holds_alternative<BodyMotion>(document.content);
+  return std::holds_alternative<Motion>(document.content) ||
+         std::holds_alternative<Skeleton>(document.content);
 }
 
 }  // namespace kinefile

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinefile/body_motion.hpp"
+#include "kinefile/flow.hpp"
+#include "kinefile/motion.hpp"
+#include "kinefile/servo_map.hpp"
+
+namespace kinefile {
+
+/// Angles of joints over time, each joint by its name.
+struct JointTrajectory {
+  std::vector<std::string> joints;
+  std::size_t num_frames = 0;
+  double frame_time = 0;
+  std::vector<double> angles;  ///< [frame][joint], in radians
+};
+
+/// What a robot did, as displacements of joints at every tick.
+/// \param robot  joint ids are those of its joints; null: the map's entries in their order
+/// \errors SVM010 (Usage) if no joint of the map is the robot's; others are told and left out
+Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleton* robot,
+                          Diagnostics& diagnostics);
+
+/// The joints that a map names, out of a motion: by joint or JOINT.CHANNEL, whatever its angle
+/// unit. \errors SVM010 (Usage) if it has none of them; those that are missing are told and rest
+Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
+                                      Diagnostics& diagnostics);
+
+/// The joints that a map names, out of joint displacements: joint ids by the robot's joints, or
+/// without a robot in the order of the map's entries.
+Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& map,
+                                      const Skeleton* robot, Diagnostics& diagnostics);
+
+/// How a trajectory becomes poses.
+struct KeyframeOptions {
+  std::optional<std::size_t> num_poses;  ///< at most so many, with the least largest error
+  std::optional<double> tolerance;       ///< in degrees: as few poses as keep to it
+  FlowFormat format = FlowFormat::V1R4;
+  int lead_in_ticks = 60;  ///< the time of the first pose, in which the robot goes from where it
+                           ///< stands to the first frame
+};
+
+/// How far a flow, as it runs, is from the trajectory that it was made of.
+struct KeyframeError {
+  std::string joint;
+  double largest = 0;  ///< degrees
+  double largest_seconds = 0;
+  double rms = 0;
+};
+
+struct Keyframes {
+  PoseFlow flow;
+  std::vector<std::size_t> ticks;     ///< when each pose is reached
+  std::vector<KeyframeError> errors;  ///< one a joint
+};
+
+/// Makes a flow of poses that follows a trajectory, from its first frame to its last. Times of
+/// poses are whole ticks, 1 to 239 apart; dynamic programming over all of them finds those whose
+/// lines between words, rounded and limited as the map says and as `run_flow` goes, keep closest
+/// to the trajectory at every tick: with `num_poses` the least largest error, with `tolerance` the
+/// fewest poses.
+/// \errors KEY001 (Usage) if neither or both are given, or neither can be; KEY002 (InvalidInput)
+///         if words cannot come within the tolerance, with the joint and the time
+Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& map,
+                           const KeyframeOptions& options, Diagnostics& diagnostics);
+
+}  // namespace kinefile

@@ -68,6 +68,11 @@ void add_convert(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"links", "joints", "both"}))
       ->type_name("FORM");
   command
+      ->add_option("--robot", convert->writing.robot,
+                   "The robot that a motion goes onto, where --skeleton names the motion's own "
+                   "skeleton (.amc)")
+      ->type_name("FILE");
+  command
       ->add_option("--map", convert->writing.joint_map,
                    "A YAML file that says which joint of a motion each joint of a robot follows, "
                    "where their names differ")

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "diff_components.hpp"
 #include "json_output.hpp"
 #include "report.hpp"
 
@@ -25,20 +26,11 @@ bool is_different(const MotionComparison& comparison, double tolerance) {
          comparison.num_frames_first != comparison.num_frames_second;
 }
 
-void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
-  if (largest.joint.empty()) return;
-  print_data(fmt::format("{:<22}{}{}", what, largest.value, unit));
-  if (largest.value > 0) {
-    print_data(fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
-  }
-  print_data("\n");
-}
-
 void print_names(std::string_view what, const std::vector<std::string>& names) {
   for (const std::string& name : names) print_data(fmt::format("{:<22}'{}'\n", what, name));
 }
 
-void print_text(const Diff& diff, const MotionComparison& comparison) {
+void print_motions(const Diff& diff, const MotionComparison& comparison) {
   print_largest("largest distance", comparison.distance, "");
   print_largest("largest tip distance", comparison.tip_distance, "");
   print_largest("largest rotation", comparison.rotation, " degrees");
@@ -53,15 +45,7 @@ void print_text(const Diff& diff, const MotionComparison& comparison) {
                                                       : "the motions agree\n");
 }
 
-Json json_of(const LargestDifference& largest) {
-  if (largest.joint.empty()) return nullptr;
-  return {{"value", std::isfinite(largest.value) ? Json(largest.value) : Json("inf")},
-          {"joint", largest.joint},
-          {"frame", largest.frame},
-          {"time", largest.time}};
-}
-
-Json json_of(const Diff& diff, const MotionComparison& comparison) {
+Json motions_json(const Diff& diff, const MotionComparison& comparison) {
   return {{"is_different", is_different(comparison, diff.tolerance)},
           {"distance", json_of(comparison.distance)},
           {"tip_distance", json_of(comparison.tip_distance)},
@@ -70,43 +54,6 @@ Json json_of(const Diff& diff, const MotionComparison& comparison) {
           {"only_in_second", comparison.only_in_second},
           {"tips_not_compared", comparison.other_tips},
           {"num_frames", {comparison.num_frames_first, comparison.num_frames_second}}};
-}
-
-/// Compares components of the same kind and content: the largest difference of poses and points is
-/// a distance, that of values a number. Length, parts and rate must agree, too.
-bool print_components(const BodyMotion& first, const BodyMotion& second, double tolerance) {
-  bool is_different = first.components.size() != second.components.size();
-  for (const Component& a : first.components) {
-    const Component* b = find_component(second, a.kind, a.content);
-    if (b == nullptr) {
-      print_data(fmt::format("{:<22}'{}'\n", "only in the first", a.content));
-      is_different = true;
-      continue;
-    }
-    if (a.kind == ComponentKind::Other) continue;
-    if (a.num_frames != b->num_frames || a.num_parts != b->num_parts) {
-      print_data(fmt::format("{:<22}{} frames of {} parts and {} of {}\n", a.content, a.num_frames,
-                             a.num_parts, b->num_frames, b->num_parts));
-      is_different = true;
-      continue;
-    }
-    const MotionComparison comparison =
-        compare_motions(motion_of_component(a), motion_of_component(*b));
-    print_largest(a.content, comparison.distance, "");
-    if (a.kind == ComponentKind::Poses) {
-      print_largest("  rotation", comparison.rotation, " degrees");
-    }
-    is_different |= comparison.distance.value > tolerance ||
-                    frame_rate(a.timeline) != frame_rate(b->timeline) ||
-                    a.is_root_relative != b->is_root_relative;
-  }
-  for (const Component& b : second.components) {
-    if (find_component(first, b.kind, b.content) != nullptr) continue;
-    print_data(fmt::format("{:<22}'{}'\n", "only in the second", b.content));
-    is_different = true;
-  }
-  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
-  return is_different;
 }
 
 /// The motion of a document; a skeleton alone is compared in its rest pose.
@@ -125,19 +72,25 @@ int run(const Diff& diff, const Globals& globals) {
   if (!first || !second) return exit_code;
   const BodyMotion* a = std::get_if<BodyMotion>(&first->content);
   const BodyMotion* b = std::get_if<BodyMotion>(&second->content);
-  if (a != nullptr && b != nullptr && !diff.is_json) {
-    return print_components(*a, *b, diff.tolerance) ? kInvalid : kDone;
+  if (a != nullptr && b != nullptr) {
+    const BodyComparison comparison = compare_components(*a, *b, diff.tolerance);
+    if (diff.is_json) {
+      print_json(json_of(comparison));
+    } else {
+      print_text(comparison);
+    }
+    return comparison.is_different ? kInvalid : kDone;
   }
   if (!has_skeleton(*first) || !has_skeleton(*second)) {
     return usage_error(globals,
-                       "diff compares two motions, or two body motions as text; convert one first");
+                       "diff compares two motions, or two body motions; convert one first");
   }
   const MotionComparison comparison =
       compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
   if (diff.is_json) {
-    print_json(json_of(diff, comparison));
+    print_json(motions_json(diff, comparison));
   } else {
-    print_text(diff, comparison);
+    print_motions(diff, comparison);
   }
   return is_different(comparison, diff.tolerance) ? kInvalid : kDone;
 }

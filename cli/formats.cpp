@@ -12,7 +12,7 @@ namespace {
 int run(bool is_json) {
   Json all = Json::array();
   if (!is_json)
-    print_data(fmt::format("{:<12}{:<6}{:<17}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS"));
+    print_data(fmt::format("{:<12}{:<6}{:<24}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS"));
   for (const Format& format : formats()) {
     const bool is_read = format.read != nullptr;
     const bool is_written = format.write != nullptr;
@@ -28,7 +28,7 @@ int run(bool is_json) {
     for (const std::string_view extension : format.extensions) {
       extensions += fmt::format("{}{}", extensions.empty() ? "" : " ", extension);
     }
-    print_data(fmt::format("{:<12}{:<6}{:<17}{}\n", format.name,
+    print_data(fmt::format("{:<12}{:<6}{:<24}{}\n", format.name,
                            fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"),
                            extensions, format.description));
   }

@@ -122,10 +122,14 @@ std::string component_text(const Component& component) {
 
 std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
-  const std::string version = extra(document, "version");
-  text += fmt::format("  {:<12}format version {}, {}, {} style, {}\n", "dialect",
-                      version.empty() ? "1 (not said)" : version, extra(document, "keys"),
-                      extra(document, "style"), dialect_of(document));
+  std::string dialect = dialect_of(document);
+  if (document.format == "choreonoid") {
+    const std::string version = extra(document, "version");
+    dialect = fmt::format("format version {}, {}, {} style, {}",
+                          version.empty() ? "1 (not said)" : version, extra(document, "keys"),
+                          extra(document, "style"), dialect);
+  }
+  text += fmt::format("  {:<12}{}\n", "dialect", dialect);
   for (const Component& component : motion.components) {
     text += fmt::format("  {:<12}{}\n", "component", component_text(component));
   }

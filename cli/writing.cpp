@@ -97,10 +97,13 @@ Result<Document> in_wanted_kind(Document&& document, const Format& format, const
   std::optional<Document> model;
   // A skeleton that a motion was read with is none to put it on.
   const bool is_body = std::holds_alternative<BodyMotion>(document.content);
-  const bool wants_robot = format.name == "choreonoid" && !writing.form.empty() &&
+  const bool is_set = format.has_part != nullptr;
+  const bool wants_robot = (is_set || (format.name == "choreonoid" && !writing.form.empty())) &&
                            find_format(document.format)->companion.empty();
-  if (is_body || wants_robot) {
-    auto loaded = load_skeleton(reading, diagnostics);
+  if (is_body || wants_robot || !writing.robot.empty()) {
+    Reading of_robot = reading;
+    if (!writing.robot.empty()) of_robot.skeleton = writing.robot;
+    auto loaded = load_skeleton(of_robot, diagnostics);
     if (!loaded) return fail(std::move(loaded.error()));
     model = std::move(*loaded);
     if (model) options.model = &*model;

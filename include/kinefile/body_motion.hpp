@@ -77,4 +77,8 @@ const Component* main_component(const BodyMotion& motion);
 /// \param pose  of `component.width()` numbers
 std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> pose);
 
+/// The values of poses with quaternions as x y z roll pitch yaw, [frame][part][6], each angle
+/// nearest to the one of the frame before.
+std::vector<double> poses_as_roll_pitch_yaw(const Component& component);
+
 }  // namespace kinefile

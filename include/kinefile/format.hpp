@@ -83,6 +83,7 @@ struct WriteOptions {
       std::nullopt;              ///< digits after the point; absent: the shortest exact form
   bool writes_companion = true;  ///< whether `write_file` writes the companion, too
   std::string companion = {};    ///< its name, for the file to tell it
+  std::string part = {};         ///< of a set of files: the extension of the one to write
   bool is_companion = false;     ///< this is one: what it leaves out, the other file has
   int seq_version = 0;           ///< of .seq: 1 to 4; 0: the file's own, 2 for others
   std::string se3_format = {};   ///< of .seq: "XYZQWQXQYQZ", ...; empty: the file's own
@@ -114,6 +115,12 @@ struct Format {
 
   /// Writes a document; null where the format is only read.
   Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&);
+
+  bool takes_skeleton = false;  ///< whether reading asks for `ReadOptions::skeleton`
+
+  /// Of a format that is a set of files of one stem, one an extension: whether a document has
+  /// something for the one with this extension. `write` is called for each (`WriteOptions::part`).
+  bool (*has_part)(const Document&, std::string_view extension) = nullptr;
 };
 
 /// Every format, in the order in which they are probed and listed.

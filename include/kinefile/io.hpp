@@ -30,10 +30,10 @@ class FileBytes {
 Resolver files_beside(const std::string& path);
 
 /// Reads a document from a file.
-/// \param path    "-" is standard input; diagnostics then call it <stdin>
+/// \param name    the stem of a set of files, too, where `format` is one; "-" is standard input; diagnostics then call it <stdin>
 /// \param format  null: found from the content, then from the extension
 /// \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the reader's
-Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
+Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 
 /// A file that appears whole or not at all: written to a temporary name beside it, synced, and

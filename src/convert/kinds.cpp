@@ -79,14 +79,17 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
   return in_form(*body, options, diagnostics);
 }
 
+void tell_left_out(const Component& component, Diagnostics& diagnostics) {
+  diagnostics.add(Severity::Warning, "CNV005",
+                  fmt::format("the component '{}' is left out: the output has no place for it",
+                              component.content));
+}
+
 void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnostics) {
   for (const Component& component : body.components) {
     const bool is_link = component.content == kLinkPosition;
     const bool is_joint = component.content == kJointDisplacement && has_model;
-    if (is_link || is_joint) continue;
-    diagnostics.add(Severity::Warning, "CNV005",
-                    fmt::format("the component '{}' is left out: the output has no place for it",
-                                component.content));
+    if (!is_link && !is_joint) tell_left_out(component, diagnostics);
   }
 }
 
@@ -98,6 +101,39 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                    : motion_of_links(body);
   if (!posed) return posed;
   return turned_up(without_free_joints(*posed), 1, options, diagnostics);
+}
+
+/// What an hrpsys set has a place for: joints, the root's pose, a ZMP relative to the root.
+Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
+                          Diagnostics& diagnostics) {
+  KindOptions as_joints = options;
+  if (options.model != nullptr) as_joints.form = options.form.value_or(BodyForm::Joints);
+  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (body == nullptr &&
+      (motion == nullptr || (options.model == nullptr && !is_robot(motion->skeleton)))) {
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a robot's motion for hrpsys; --skeleton names a robot to put "
+                           "others on"));
+  }
+  auto made = body == nullptr            ? body_of(*motion, as_joints, diagnostics)
+              : options.model != nullptr ? in_form(*body, as_joints, diagnostics)
+                                         : Result<BodyMotion>(*body);
+  if (!made) return made;
+  std::erase_if(made->components, [&](const Component& component) {
+    const bool has_place = component.content == kLinkPosition || component.content == kZmp ||
+                           component.content == kJointDisplacement;
+    if (!has_place) tell_left_out(component, diagnostics);
+    return !has_place;
+  });
+  const Component* links = find_component(*made, ComponentKind::Poses, kLinkPosition);
+  if (links != nullptr && links->num_parts > 1) {
+    diagnostics.add(Severity::Warning, "CNV005",
+                    "the poses of links but the first are left out: the output has no place for "
+                    "them");
+  }
+  const Component* zmp = find_component(*made, ComponentKind::Vectors, kZmp);
+  return zmp == nullptr ? made : with_zmp(*made, true, diagnostics);
 }
 
 }  // namespace
@@ -122,6 +158,7 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
     document.content = std::move(*made);
     return std::move(document);
   };
+  if (format.name == "hrpsys") return put(set_of(document, options, diagnostics));
   if (format.name == "choreonoid") {
     if (body != nullptr && !options.form) return document;
     if (body != nullptr) return put(in_form(*body, options, diagnostics));

@@ -8,6 +8,7 @@
 #include "formats/bvh/format.hpp"
 #include "formats/choreonoid/format.hpp"
 #include "formats/csv/format.hpp"
+#include "formats/hrpsys/format.hpp"
 #include "formats/json/format.hpp"
 #include "formats/urdf/format.hpp"
 #include "formats/wrl/format.hpp"
@@ -24,7 +25,7 @@ std::vector<Format> all_formats() {
       choreonoid::format(), body::format(),        wrl::format(),
   };
   for (const Format& format : urdf::formats()) all.push_back(format);  // not in every build
-  all.insert(all.end(), {csv::format(), json::format()});
+  all.insert(all.end(), {hrpsys::format(), csv::format(), json::format()});
   return all;
 }
 

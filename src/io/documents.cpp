@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
+#include "base/words.hpp"
 #include "kinefile/io.hpp"
 
 namespace kinefile {
@@ -43,6 +46,25 @@ std::string companion_path(const std::string& path, const Format& format) {
   return (has_extension ? path.substr(0, dot) : path) + std::string(format.extensions.front());
 }
 
+/// Of a set of files that is named by its stem, the first one that there is; else the name itself.
+std::string path_in_set(const std::string& name, const Format& format) {
+  std::error_code fault;
+  if (format.has_part == nullptr || std::filesystem::is_regular_file(name, fault)) return name;
+  for (const std::string_view part : format.extensions) {
+    const std::string path = name + std::string(part);
+    if (std::filesystem::is_regular_file(path, fault)) return path;
+  }
+  return name;
+}
+
+/// The stem of a set of files: a name without the extension of one of them.
+std::string stem_of_set(const std::string& path, const Format& format) {
+  for (const std::string_view part : format.extensions) {
+    if (lowered(path).ends_with(part)) return path.substr(0, path.size() - part.size());
+  }
+  return path;
+}
+
 /// Writes a document to a file that has not come to its name yet.
 Result<OutputFile> write_output(const std::string& path, const Document& document,
                                 const Format& format, const WriteOptions& options, bool replace,
@@ -59,8 +81,9 @@ Result<OutputFile> write_output(const std::string& path, const Document& documen
 
 }  // namespace
 
-Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
+Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics) {
+  const std::string path = format != nullptr ? path_in_set(name, *format) : name;
   options.source_name = path == "-" ? "<stdin>" : path;
   const auto bytes = FileBytes::open(path);
   if (!bytes) return fail(bytes.error());
@@ -76,14 +99,47 @@ Result<Document> read_file(const std::string& path, const Format* format, ReadOp
             : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
         options.source_name));
   }
-  const bool needs_skeleton = !format->companion.empty();
-  if (needs_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
+  if (format->takes_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
     auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
     if (!skeleton) return fail(std::move(skeleton.error()));
   }
   if (path != "-" && !options.companions.open) options.companions = files_beside(path);
   return format->read(bytes->view(), options, diagnostics);
 }
+
+namespace {
+
+/// Writes a set of files, all or none.
+Result<void> write_set(const std::string& path, const Document& document, const Format& format,
+                       const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
+  if (path == "-") {
+    return fail(make_error(
+        ErrorKind::Usage, "FMT005",
+        fmt::format("{} is a set of files, which standard output cannot take", format.name)));
+  }
+  std::vector<std::pair<std::string, OutputFile>> files;
+  for (const std::string_view part : format.extensions) {
+    if (!format.has_part(document, part)) continue;
+    WriteOptions for_part = options;
+    for_part.part = part;
+    const std::string name = stem_of_set(path, format) + std::string(part);
+    auto file = write_output(name, document, format, for_part, replace, diagnostics);
+    if (!file) return fail(std::move(file.error()));
+    files.emplace_back(name, std::move(*file));
+  }
+  // Nothing at all is for the writer to tell.
+  if (files.empty()) return format.write(document, options, nullptr, diagnostics);
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    auto committed = files[i].second.commit();
+    if (committed) continue;
+    for (std::size_t k = 0; k < i && !replace; ++k) std::filesystem::remove(files[k].first);
+    return committed;
+  }
+  return {};
+}
+
+}  // namespace
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
@@ -93,6 +149,9 @@ Result<void> write_file(const std::string& path, const Document& document, const
     return fail(make_error(
         ErrorKind::Usage, "FMT002",
         fmt::format("{} is only read, not written; what is written: {}", format.name, writable)));
+  }
+  if (format.has_part != nullptr) {
+    return write_set(path, document, format, options, replace, diagnostics);
   }
   WriteOptions with_companion = options;
   if (!format.companion.empty() && options.writes_companion && path == "-") {

@@ -21,8 +21,12 @@ namespace {
 struct Space {
   static constexpr bool has(char c) { return is_blank(c) || is_line_end(c); }
 };
-struct SpaceOrSeparator {
-  static constexpr bool has(char c) { return c == ',' || c == ']' || Space::has(c); }
+/// What YAML takes for space; a form feed is no character of it.
+struct ListSpace {
+  static constexpr bool has(char c) { return c == ' ' || c == '\t' || is_line_end(c); }
+};
+struct ListSpaceOrSeparator {
+  static constexpr bool has(char c) { return c == ',' || c == ']' || ListSpace::has(c); }
 };
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -197,7 +201,7 @@ NumberRow read_number_row(const char* begin, const char* end, double* out, std::
 NumberList read_number_list(const char* begin, const char* end, std::vector<double>& out) {
   NumberList list;
   const auto skip_space = [end, &list](const char* p) {
-    for (; p != end && Space::has(*p); ++p) list.has_break |= is_line_end(*p);
+    for (; p != end && ListSpace::has(*p); ++p) list.has_break |= is_line_end(*p);
     return p;
   };
   // Numbers are gathered here and appended together, which is faster than one by one.
@@ -211,7 +215,7 @@ NumberList read_number_list(const char* begin, const char* end, std::vector<doub
   bool is_long = false;
   while (list.next != end && list.ends_with_comma) {
     const char* const behind =
-        parse_plain<SpaceOrSeparator>(list.next, end, piece[num_in_piece], is_long);
+        parse_plain<ListSpaceOrSeparator>(list.next, end, piece[num_in_piece], is_long);
     if (behind == nullptr) break;
     ++list.count;
     if (++num_in_piece == piece.size()) append_piece();

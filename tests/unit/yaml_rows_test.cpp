@@ -212,5 +212,13 @@ TEST(YamlRows, OfAnAliasAreThereForEveryUse) {
   }
 }
 
+TEST(YamlRows, AFormFeedIsNoSpace) {
+  for (const char* text : {"- [ 1\f, 2 ]\n", "- [ 1,\v 2 ]\n", "- [ 1, 2 ]\f\n"}) {
+    const text::Source source("t", text);
+    Diagnostics diagnostics;
+    EXPECT_EQ(text::yaml::read_tree(source, diagnostics), nullptr) << text;
+  }
+}
+
 }  // namespace
 }  // namespace kinefile::test

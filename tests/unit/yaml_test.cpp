@@ -225,6 +225,13 @@ TEST(Yaml, ABillionLaughsAreRefused) {
   EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"YML008"});
 }
 
+TEST(Yaml, AliasesOfLongTextsCountAsSuch) {
+  std::string text = "- &a " + std::string(80'000, 'x') + "\n";
+  for (int i = 0; i < 100; ++i) text += "- *a\n";
+  EXPECT_EQ(codes_of(ReadTree(text).diagnostics), std::vector<std::string>{"YML008"});
+  EXPECT_NE(ReadTree("- &a " + std::string(80'000, 'x') + "\n- *a\n- *a\n").tree, nullptr);
+}
+
 TEST(Yaml, SoAreMergesOfMerges) {
   std::string text = "- &a0 { ";
   for (int i = 0; i < 1000; ++i) text += fmt::format("k{}: v, ", i);

@@ -179,8 +179,9 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format amc_format() {
-  return {"amc", "Acclaim motion, with its skeleton beside it", kExtensions, "asf", probe, read,
-          write};
+  return {
+      "amc", "Acclaim motion, with its skeleton beside it", kExtensions, "asf", probe, read, write,
+      true};
 }
 
 }  // namespace kinefile::acclaim

@@ -57,24 +57,6 @@ std::optional<PoseOrder> order_of(std::string_view word) {
   return std::nullopt;
 }
 
-/// Poses with their rotations as roll, pitch and yaw, each nearest to the frame before.
-std::vector<double> as_roll_pitch_yaw(const Component& component) {
-  std::vector<double> values(component.num_frames * component.num_parts * 6);
-  const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
-  for (std::size_t p = 0; p < component.num_parts; ++p) {
-    Vec3 near = Vec3::Zero();
-    for (std::size_t f = 0; f < component.num_frames; ++f) {
-      const auto pose = component.row(f).subspan(p * 7, 7);
-      const Quat q = Quat(pose[3], pose[4], pose[5], pose[6]).normalized();
-      near = euler_angles(q.toRotationMatrix(), axes, near);
-      double* out = values.data() + (f * component.num_parts + p) * 6;
-      std::copy(pose.begin(), pose.begin() + 3, out);
-      for (Eigen::Index k = 0; k < 3; ++k) out[5 - k] = near[k];
-    }
-  }
-  return values;
-}
-
 std::vector<double> as_quaternions(const Component& component) {
   std::vector<double> values;
   values.reserve(component.num_frames * component.num_parts * 7);
@@ -99,7 +81,7 @@ void settle_poses(PrintedComponent& printed, int version, const WriteOptions& op
                              : (is_rpy ? PoseOrder::RollPitchYaw : PoseOrder::QuaternionWFirst);
   printed.pose_format = word_of(printed.pose_order);
   const bool wants_rpy = printed.pose_order == PoseOrder::RollPitchYaw;
-  if (wants_rpy && !is_rpy) printed.converted = as_roll_pitch_yaw(component);
+  if (wants_rpy && !is_rpy) printed.converted = poses_as_roll_pitch_yaw(component);
   if (!wants_rpy && is_rpy) printed.converted = as_quaternions(component);
   if (printed.pose_order == PoseOrder::QuaternionWLast && version >= 2) {
     diagnostics.add(Severity::Warning, code::kChoreonoidRejects,

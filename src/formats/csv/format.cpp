@@ -43,7 +43,7 @@ Format format() {
   return {"csv",       "comma-separated values: a row a frame, a column a channel",
           kExtensions, {},
           nullptr,     read,
-          write};
+          write,       true};
 }
 
 }  // namespace kinefile::csv

@@ -11,6 +11,8 @@ namespace {
 /// The shapes that are told apart; a text with more is read like any other.
 constexpr std::size_t kMostShapes = 64;
 
+// A form feed is no space here: no character of YAML at all.
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_space(char c) { return is_blank(c) || is_line_end(c); }
 
 const char* skip_space(const char* p, const char* end) {

@@ -4,19 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <unordered_set>
 
 namespace kinefile::text::yaml {
 namespace {
 
-/// How many nodes and numbers aliases and merges may add to a document. A short text can say
-/// billions of them.
-constexpr std::size_t kMostAdded = 10'000'000;
+/// How many nodes, numbers and pieces of text aliases and merges may add to a document: so many,
+/// and so many for each byte of the text, which can say billions of them.
+constexpr std::size_t kMostAdded = 100'000;
+constexpr std::size_t kMostAddedPerByte = 4;
+/// Characters of a scalar that count as one value.
+constexpr std::size_t kPieceOfText = 8;
+/// Where counting stops.
+constexpr std::size_t kCountLimit = std::numeric_limits<std::size_t>::max() / 4;
 
 /// Bytes of a row besides its text: a line end, the indentation, "- ".
 constexpr std::size_t kRowMargin = 9;
 
-std::size_t added(std::size_t a, std::size_t b) { return std::min(a + b, kMostAdded * 4); }
+std::size_t added(std::size_t a, std::size_t b) { return std::min(a + b, kCountLimit); }
 
 }  // namespace
 
@@ -97,6 +103,7 @@ class TreeBuilder {
     node.text = event.value;
     node.style = event.style;
     node.is_flow = event.is_flow;
+    node.size = 1 + event.value.size() / kPieceOfText;
     if (event.anchor.empty()) return &node;
     const auto [place, is_new] = anchors_.insert_or_assign(event.anchor, &node);
     if (!is_new) {
@@ -157,9 +164,10 @@ class TreeBuilder {
 
   void count_added(std::size_t count, const char* at) {
     num_added_ = added(num_added_, count);
-    if (num_added_ <= kMostAdded || is_failed_) return;
+    const std::size_t most = kMostAdded + kMostAddedPerByte * source_.text().size();
+    if (num_added_ <= most || is_failed_) return;
     tell(Severity::Error, "YML008",
-         fmt::format("expected aliases that add at most {} values, found more", kMostAdded), at);
+         fmt::format("expected aliases that add at most {} values, found more", most), at);
   }
 
   void add_row(const Event& event) {
@@ -231,7 +239,7 @@ class TreeBuilder {
            from.at);
       return;
     }
-    count_added(from.children.size(), from.at);
+    count_added(from.size, from.at);
     for (std::size_t i = 0; i + 1 < from.children.size() && !is_failed_; i += 2) {
       const Node* key = from.children[i];
       if (key->kind != NodeKind::Scalar) continue;

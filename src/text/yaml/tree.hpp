@@ -40,7 +40,8 @@ struct Node {
   /// brings at the end. Empty where `rows` has the entries.
   std::vector<const Node*> children;
   std::unique_ptr<RowEntries> rows;
-  std::size_t size = 1;  ///< the nodes in it, aliases counted as what they stand for
+  std::size_t size = 1;  ///< the nodes in it, aliases counted as what they stand for, and
+                         ///< long texts as several
 
   bool is_plain() const { return kind == NodeKind::Scalar && style == ScalarStyle::Plain; }
 };

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "formats/csv/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "base/words.hpp"
+
+namespace kinefile::csv {
+namespace {
+
+constexpr std::array<std::string_view, 7> kPoseChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+/// The columns of a robot's root, before those of its joints.
+constexpr std::size_t kRootColumns = 7;
+
+/// The name and the channel of a column, "HEAD.q" or "HEAD".
+std::pair<std::string, std::string> split_name(const std::string& header) {
+  const std::size_t dot = header.rfind('.');
+  const std::string channel = dot == std::string::npos ? "" : lowered(header.substr(dot + 1));
+  const bool is_known = channel == "q" || std::find(kPoseChannels.begin(), kPoseChannels.end(),
+                                                    channel) != kPoseChannels.end();
+  if (!is_known) return {header, "q"};
+  return {header.substr(0, dot), channel};
+}
+
+/// What the values of a column are: JointEffort3 is one of JointEffort, all else a joint's own.
+std::string content_of(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  const bool is_content = digits < name.size() && digits > 5 && name.starts_with("Joint");
+  return is_content ? name.substr(0, digits) : std::string(kJointDisplacement);
+}
+
+bool is_of_a_figure(const std::string& header) {
+  const std::string lower = lowered(header);
+  return lower.ends_with("position") || lower.ends_with("rotation") || lower.ends_with("scale");
+}
+
+Group& group_of(std::vector<Group>& groups, ComponentKind kind, const std::string& content) {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+    return group.kind == kind && group.content == content;
+  });
+  if (found != groups.end()) return *found;
+  groups.push_back({kind, content, {}});
+  return groups.back();
+}
+
+/// How many columns from one on are the x, y, z, qw, ... of the same name.
+std::size_t count_of_pose_channels(const std::vector<Field>& header, std::size_t first) {
+  const std::string name = split_name(header[first].text).first;
+  std::size_t count = 0;
+  while (count < kPoseChannels.size() && first + count < header.size() &&
+         split_name(header[first + count].text) ==
+             std::pair(name, std::string(kPoseChannels[count]))) {
+    ++count;
+  }
+  return count;
+}
+
+/// Puts the component that begins with a column into its group. Returns how many columns it has,
+/// 0 after an error.
+std::size_t take_columns(const TableReader& reader, const std::vector<Field>& header,
+                         std::size_t first, std::vector<Group>& groups) {
+  const auto [name, channel] = split_name(header[first].text);
+  if (is_of_a_figure(header[first].text)) {
+    reader.error("CSV003",
+                 fmt::format("expected columns of a robot's joints (NAME.q) or links (NAME.x to "
+                             "NAME.qz), found {}: a figure's channels need its skeleton",
+                             text::quoted(header[first].text)),
+                 header[first].at);
+    return 0;
+  }
+  if (channel == "q") {
+    group_of(groups, ComponentKind::Values, content_of(name)).columns.push_back(first);
+    return 1;
+  }
+  const std::size_t count = count_of_pose_channels(header, first);
+  const bool is_pose = count == kPoseChannels.size();
+  if (!is_pose && count != 3) {
+    reader.error("CSV003",
+                 fmt::format("expected {0}.x, {0}.y, {0}.z, and of a link {0}.qw to {0}.qz, in "
+                             "this order, found {1} of them",
+                             name, count),
+                 header[first].at);
+    return 0;
+  }
+  const bool is_second = std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+    return group.kind == ComponentKind::Vectors && group.content == name;
+  });
+  if (!is_pose && is_second) {
+    reader.error("CSV003", fmt::format("expected each point once, found {} again", name),
+                 header[first].at);
+    return 0;
+  }
+  Group& group = is_pose ? group_of(groups, ComponentKind::Poses, std::string(kLinkPosition))
+                         : group_of(groups, ComponentKind::Vectors, name);
+  for (std::size_t k = 0; k < count; ++k) group.columns.push_back(first + k);
+  return count;
+}
+
+/// Groups columns by what they are of. Empty after an error.
+std::vector<Group> grouped(const TableReader& reader, const std::vector<Field>& header) {
+  if (lowered(header[0].text) != "time" || header.size() < 2) {
+    reader.error("CSV002",
+                 fmt::format("expected a header of 'time' and names of columns, found {}",
+                             text::quoted(header[0].text)),
+                 header[0].at);
+    return {};
+  }
+  std::vector<Group> groups;
+  for (std::size_t column = 1; column < header.size();) {
+    const std::size_t count = take_columns(reader, header, column, groups);
+    if (count == 0) return {};
+    column += count;
+  }
+  return groups;
+}
+
+/// The ids of a robot's joints by their names, and by the names of their links.
+std::map<std::string, std::size_t> ids_of(const Document& robot) {
+  const Skeleton& skeleton = skeleton_of(robot);
+  std::map<std::string, std::size_t> ids;
+  for (const Joint& joint : skeleton.joints) {
+    if (joint.dofs.size() != 1 || joint.dofs[0].coordinate < kRootColumns) continue;
+    const std::size_t id = joint.dofs[0].coordinate - kRootColumns;
+    ids[joint.name] = id;
+    const auto words = robot.extras.joints.find(joint.name);
+    if (words == robot.extras.joints.end()) continue;
+    const auto name = words->second.find("joint_name");
+    if (name != words->second.end()) ids.emplace(name->second, id);
+  }
+  return ids;
+}
+
+/// Brings columns of joints into the order of the robot's joint ids.
+void put_in_order(const TableReader& reader, const std::vector<Field>& header,
+                  std::vector<std::size_t>& columns) {
+  const std::map<std::string, std::size_t> ids = ids_of(*reader.options.skeleton);
+  std::vector<std::size_t> ordered(
+      skeleton_of(*reader.options.skeleton).coordinates.size() - kRootColumns, kNoColumn);
+  for (const std::size_t column : columns) {
+    const Field& field = header[column];
+    const auto id = ids.find(split_name(field.text).first);
+    const bool is_known = id != ids.end() && id->second < ordered.size();
+    if (!is_known || ordered[id->second] != kNoColumn) {
+      const std::string found = text::quoted(field.text);
+      reader.error("CSV008",
+                   is_known
+                       ? fmt::format("expected each joint of the robot once, found {} again", found)
+                       : fmt::format("expected the name of a joint of the robot, found {}", found),
+                   field.at);
+      return;
+    }
+    ordered[id->second] = column;
+  }
+  const auto num_missing = std::count(ordered.begin(), ordered.end(), kNoColumn);
+  if (num_missing > 0) {
+    text::report(reader.source, reader.diagnostics, Severity::Warning, "CSV009",
+                 fmt::format("the table has no column for {} of the robot's {} joints; they stay "
+                             "at 0",
+                             num_missing, ordered.size()),
+                 header[0].at);
+  }
+  columns = std::move(ordered);
+}
+
+/// Whether the skeleton is a robot's, with joints that have ids.
+bool has_joint_ids(const ReadOptions& options) {
+  if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
+  const Skeleton& skeleton = skeleton_of(*options.skeleton);
+  return !skeleton.joints.empty() && moves_freely(skeleton.joints[0]) &&
+         skeleton.coordinates.size() >= kRootColumns;
+}
+
+}  // namespace
+
+std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& header) {
+  std::vector<Group> groups = grouped(reader, header);
+  for (Group& group : groups) {
+    const bool is_of_joints = group.kind == ComponentKind::Values &&
+                              group.content == kJointDisplacement && has_joint_ids(reader.options);
+    if (is_of_joints) put_in_order(reader, header, group.columns);
+  }
+  return groups;
+}
+
+}  // namespace kinefile::csv

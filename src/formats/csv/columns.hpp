@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "formats/csv/fields.hpp"
+#include "kinefile/body_motion.hpp"
+#include "kinefile/format.hpp"
+#include "text/source.hpp"
+
+namespace kinefile::csv {
+
+/// What a table that is read has besides its rows.
+struct TableReader {
+  const text::Source& source;
+  const ReadOptions& options;
+  Diagnostics& diagnostics;
+
+  void error(const char* code, std::string message, const char* at) const {
+    text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
+  }
+};
+
+/// No column: a value that the table does not have and that rests.
+inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+
+/// The columns of one component, in the component's order.
+struct Group {
+  ComponentKind kind = ComponentKind::Values;
+  std::string content;
+  std::vector<std::size_t> columns;  ///< `kNoColumn` for values that are 0
+};
+
+/// Finds out what the columns are by the header; joints go to their ids by their names where
+/// `options.skeleton` tells them. Empty after an error.
+std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& header);
+
+}  // namespace kinefile::csv

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "formats/hrpsys/format.hpp"
+
+#include <algorithm>
+
+#include "formats/hrpsys/codes.hpp"
+#include "formats/hrpsys/read.hpp"
+#include "text/printer.hpp"
+
+namespace kinefile::hrpsys {
+namespace {
+
+/// The component that a file of the set is written from, or null.
+const Component* component_of(const BodyMotion& motion, std::string_view part) {
+  if (part == ".pos") return find_component(motion, ComponentKind::Values, kJointDisplacement);
+  if (part == ".zmp") return find_component(motion, ComponentKind::Vectors, kZmp);
+  return find_component(motion, ComponentKind::Poses, kLinkPosition);
+}
+
+bool has_part(const Document& document, std::string_view part) {
+  const BodyMotion* motion = std::get_if<BodyMotion>(&document.content);
+  return motion != nullptr && component_of(*motion, part) != nullptr;
+}
+
+/// The first link of poses alone, as x y z roll pitch yaw.
+Component root_angles(const Component& links) {
+  Component root = links;
+  root.num_parts = std::min<std::size_t>(links.num_parts, 1);
+  root.values.clear();
+  for (std::size_t f = 0; f < links.num_frames && root.num_parts > 0; ++f) {
+    const auto pose = links.row(f).first(links.width());
+    root.values.insert(root.values.end(), pose.begin(), pose.end());
+  }
+  if (links.pose_form == PoseForm::Quaternion) root.values = poses_as_roll_pitch_yaw(root);
+  root.pose_form = PoseForm::RollPitchYaw;
+  return root;
+}
+
+void print_rows(text::Printer& printer, const Component& component, std::size_t first,
+                std::size_t count) {
+  for (std::size_t f = 0; f < component.num_frames; ++f) {
+    printer.print_exact(time_of_frame(component.timeline, f));
+    for (const double value : component.row(f).subspan(first, count)) {
+      printer.print(' ');
+      printer.print(value);
+    }
+    printer.print('\n');
+  }
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics&) {
+  if (!has_part(document, options.part)) {
+    return fail(make_error(ErrorKind::Usage, code::kNothingToWrite,
+                           "expected joint displacements, link poses or a ZMP to write, found "
+                           "none"));
+  }
+  const Component& component = *component_of(std::get<BodyMotion>(document.content), options.part);
+  text::Printer printer(sink, options.decimals);
+  if (options.part == ".waist" || options.part == ".hip") {
+    const Component root = root_angles(component);
+    const bool is_hip = options.part == ".hip";
+    print_rows(printer, root, is_hip ? 3 : 0, root.num_parts == 0 ? 0 : (is_hip ? 3 : 6));
+  } else {
+    print_rows(printer, component, 0, component.row_size());
+  }
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Format format() {
+  Format format;
+  format.name = "hrpsys";
+  format.description = "hrpsys: a set of text files, joints, root and ZMP (a stem)";
+  format.extensions = kParts;
+  format.probe = nullptr;
+  format.read = read;
+  format.write = write;
+  format.has_part = has_part;
+  return format;
+}
+
+}  // namespace kinefile::hrpsys

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinefile/format.hpp"
+
+namespace kinefile::hrpsys {
+
+/// A set of text files of one stem, as hrpsys and Choreonoid exchange them: .pos (joints), .waist
+/// (the root's pose), .hip (its roll, pitch and yaw), .zmp (relative to the root).
+Format format();
+
+}  // namespace kinefile::hrpsys

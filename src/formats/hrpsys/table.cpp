@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "formats/hrpsys/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "formats/hrpsys/codes.hpp"
+#include "text/numbers.hpp"
+#include "text/scanner.hpp"
+
+namespace kinefile::hrpsys {
+namespace {
+
+/// Numbers that are read at a time.
+constexpr std::size_t kPiece = 256;
+
+struct TableParser {
+  const text::Source& source;
+  Diagnostics& diagnostics;
+
+  void error(const char* code, std::string message, const char* at) {
+    text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
+  }
+
+  /// Appends the numbers of a line; null after an error, else where the next line starts.
+  const char* parse_row(const char* p, std::vector<double>& values) {
+    std::array<double, kPiece> piece;
+    while (true) {
+      const text::NumberRow row = text::read_number_row(p, source.end(), piece.data(), kPiece);
+      values.insert(values.end(), piece.begin(),
+                    piece.begin() + static_cast<std::ptrdiff_t>(row.count));
+      p = row.next;
+      if (row.end == text::RowEnd::EndOfLine) return p;
+      if (row.end == text::RowEnd::Full) continue;
+      text::Scanner scanner(std::string_view(p, static_cast<std::size_t>(source.end() - p)));
+      const std::string_view token = scanner.take_in_line();
+      const text::Number number = text::parse_number(token);  // nan and inf, too
+      if (number.fault != text::NumberFault::None) {
+        error(code::kNotANumber, fmt::format("expected a number, found {}", text::quoted(token)),
+              p);
+        return nullptr;
+      }
+      values.push_back(number.value);
+      p = scanner.position();
+    }
+  }
+
+  bool parse_rows(TableRows& rows) {
+    const char* p = source.text().data();
+    while (p != source.end()) {
+      const char* const start = p;
+      if (*p == '#') {
+        p = std::find_if(p, source.end(), [](char c) { return text::is_line_end(c); });
+        p += p != source.end();
+        continue;
+      }
+      const std::size_t num_before = rows.values.size();
+      p = parse_row(p, rows.values);
+      if (p == nullptr) return false;
+      const std::size_t count = rows.values.size() - num_before;
+      if (count == 0) continue;  // an empty line
+      if (rows.starts.empty()) rows.num_columns = count;
+      if (count != rows.num_columns || count < 2) {
+        error(code::kOtherColumns,
+              rows.starts.empty()
+                  ? std::string("expected a time and numbers, found a single number")
+                  : fmt::format("expected {} numbers, as in the first row, found {}",
+                                rows.num_columns, count),
+              start);
+        return false;
+      }
+      rows.starts.push_back(start);
+    }
+    if (rows.starts.empty()) {
+      error(code::kNoRows, "expected rows of a time and numbers, found none", source.end());
+    }
+    return !rows.starts.empty();
+  }
+};
+
+}  // namespace
+
+std::optional<Table> parse_table(const text::Source& source, std::optional<double> fps,
+                                 Diagnostics& diagnostics) {
+  Table table;
+  if (!TableParser{source, diagnostics}.parse_rows(table.rows)) return std::nullopt;
+  auto timeline =
+      timeline_of_rows(source, table.rows, fps, {code::kNotRising, code::kNoRate}, diagnostics);
+  if (!timeline) return std::nullopt;
+  table.timeline = std::move(*timeline);
+  return table;
+}
+
+}  // namespace kinefile::hrpsys

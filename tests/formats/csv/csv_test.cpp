@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Tables of joint values, in and out. tests/formats/csv/invalid holds a file for every code that
+// reading can give, and beside it the exact diagnostics.
+
+#include "kinefile/body_bridge.hpp"
+#include "support/seq.hpp"
+
+namespace kinefile::test {
+namespace {
+
+ReadText read_csv(std::string_view bytes, ReadOptions options = {}, bool is_strict = false) {
+  if (options.source_name == "<memory>") options.source_name = "t.csv";
+  ReadText read;
+  read.diagnostics.warnings_are_errors = is_strict;
+  auto document = find_format("csv")->read(bytes, options, read.diagnostics);
+  if (document) read.document = std::move(*document);
+  return read;
+}
+
+/// Two joints whose ids are in another order than their links.
+std::shared_ptr<const Document> robot() {
+  ReadText read;
+  auto document = find_format("body")->read(
+      "format: ChoreonoidBody\nformat_version: 2\nlinks:\n"
+      "  - { name: WAIST, joint_type: free }\n"
+      "  - { name: KNEE, parent: WAIST, joint_name: KNEE_P, joint_type: revolute, joint_id: 1, "
+      "joint_axis: [ 0, 1, 0 ] }\n"
+      "  - { name: HIP, parent: WAIST, joint_type: revolute, joint_id: 0, joint_axis: [ 0, 1, 0 ] "
+      "}\n",
+      {}, read.diagnostics);
+  EXPECT_TRUE(document) << text_of(read.diagnostics);
+  return document ? std::make_shared<const Document>(std::move(*document)) : nullptr;
+}
+
+TEST(CsvInvalid, EveryFileHasItsExactDiagnostics) {
+  const auto names = fixtures("csv/invalid", ".csv");
+  ASSERT_GT(names.size(), 14u);
+  for (const std::string& name : names) {
+    ReadOptions options;
+    options.source_name = name.substr(name.find_last_of('/') + 1);
+    const std::string expected = fixture(name.substr(0, name.size() - 3) + "txt");
+    const ReadText read = read_csv(fixture(name), options);
+    EXPECT_EQ(text_of(read.diagnostics), expected) << name;
+    EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << name;
+  }
+}
+
+TEST(Csv, ReadsJointsLinksAndPoints) {
+  const auto read = read_csv(
+      "time,HIP.q,\"WAIST, lower.x\",\"WAIST, lower.y\",\"WAIST, lower.z\",\"WAIST, lower.qw\","
+      "\"WAIST, lower.qx\",\"WAIST, lower.qy\",\"WAIST, lower.qz\",KNEE,ZMP.x,ZMP.y,ZMP.z\r\n"
+      "0,0.1,1,2,3,1,0,0,0,0.2,7,8,9\r\n"
+      "\r\n"
+      "0.02, 0.3 ,4,5,6,0,1,0,0,\"0.4\",-7,inf,nan\r\n");
+  const auto& components = components_of(read);
+  ASSERT_EQ(components.size(), 3u);
+  EXPECT_EQ(components[0].content, kJointDisplacement);
+  EXPECT_EQ(components[0].values, (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(components[1].content, kLinkPosition);
+  EXPECT_EQ(components[1].values, (std::vector<double>{1, 2, 3, 1, 0, 0, 0, 4, 5, 6, 0, 1, 0, 0}));
+  EXPECT_EQ(components[2].content, kZmp);
+  EXPECT_EQ(components[2].values[3], -7);
+  EXPECT_TRUE(std::isnan(components[2].values[5]));
+  EXPECT_EQ(components[0].timeline.value, 50);
+  EXPECT_EQ(components[0].num_frames, 2u);
+}
+
+TEST(Csv, TheRateIsWhatTheTimesTell) {
+  const auto rate_of = [](const std::string& rows, std::optional<double> fps = {}) {
+    ReadOptions options;
+    options.fps = fps;
+    return components_of(read_csv("time,A\n" + rows, options))[0].timeline.value;
+  };
+  EXPECT_EQ(rate_of("0,1\n0.0333,1\n0.0667,1\n0.1,1\n"), 30);
+  EXPECT_EQ(rate_of("5,1\n5.5,1\n"), 2);
+  EXPECT_DOUBLE_EQ(rate_of("0,1\n0.4,1\n0.8,1\n"), 2.5);
+  EXPECT_EQ(rate_of("0,1\n0.4,1\n", 100), 100);
+  EXPECT_EQ(rate_of("0,1\n"), 30);
+  const auto read = read_csv("time,A\n0,1\n0.1,2\n0.3,3\n");
+  EXPECT_EQ(components_of(read)[0].timeline.times, (std::vector<double>{0, 0.1, 0.3}));
+}
+
+TEST(Csv, JointsGoToTheirIdsByTheirNames) {
+  ReadOptions options;
+  options.skeleton = robot();
+  ASSERT_NE(options.skeleton, nullptr);
+  for (const char* header : {"time,KNEE.q,HIP.q\n", "time,KNEE_P,HIP\n"}) {
+    const auto read = read_csv(std::string(header) + "0,1,2\n0.1,3,4\n", options);
+    EXPECT_EQ(components_of(read)[0].values, (std::vector<double>{2, 1, 4, 3})) << header;
+  }
+  const auto partly = read_csv("time,KNEE\n0,1\n0.1,3\n", options);
+  EXPECT_EQ(components_of(partly)[0].values, (std::vector<double>{0, 1, 0, 3}));
+  EXPECT_EQ(text_of(partly.diagnostics),
+            "t.csv:1:1: warning[CSV009]: the table has no column for 1 of the robot's 2 joints; "
+            "they stay at 0\n  time,KNEE\n  ^\n");
+  const auto unknown = read_csv("time,KNEE,ANKLE\n0,1,2\n", options);
+  EXPECT_EQ(text_of(unknown.diagnostics),
+            "t.csv:1:11: error[CSV008]: expected the name of a joint of the robot, found 'ANKLE'\n"
+            "  time,KNEE,ANKLE\n            ^\n");
+  const auto twice = read_csv("time,KNEE,KNEE_P\n0,1,2\n", options);
+  EXPECT_EQ(twice.diagnostics.items().back().message,
+            "expected each joint of the robot once, found 'KNEE_P' again");
+}
+
+TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
+  ReadOptions options;
+  options.skeleton = robot();
+  ASSERT_NE(options.skeleton, nullptr);
+  const auto seq = read_seq(
+      seq_of({joints({"[ 0.1, 1e-300 ]", "[ -0.5, 2 ]"}),
+              poses({"[ [ 1, 2, 3, 1, 0, 0, 0 ] ]", "[ [ 0.1, 0.2, 0.3, 0.6, 0, 0.8, 0 ] ]"})}));
+  Diagnostics none;
+  auto motion = pose(std::get<BodyMotion>(seq.document->content), skeleton_of(*options.skeleton),
+                     false, none);
+  ASSERT_TRUE(motion);
+  std::string text;
+  const Document document{*motion, "choreonoid", {}};
+  ASSERT_TRUE(find_format("csv")->write(
+      document, {}, [&](std::string_view piece) { return text += piece, true; }, none));
+  const auto back = read_csv(text, options);
+  const auto& components = components_of(back);
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].values, components_of(seq)[1].values);
+  EXPECT_EQ(components[1].values, components_of(seq)[0].values);
+  EXPECT_EQ(components[1].timeline.value, 10);
+}
+
+TEST(Csv, EveryTruncationIsReadOrRefusedWithAPlace) {
+  const std::string whole = "time,A.q,B.x,B.y,B.z\n0,1,\"2\",3,4\n0.5,-1e3,2,3,4\n";
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const auto read = read_csv(whole.substr(0, length));
+    EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << length;
+    for (const Diagnostic& item : read.diagnostics.items()) EXPECT_GT(item.place.line, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace kinefile::test

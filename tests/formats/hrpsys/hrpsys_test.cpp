@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// hrpsys sets of text files, in and out. tests/formats/hrpsys/invalid holds a file for every code
+// that reading one can give, and beside it the exact diagnostics.
+
+#include "formats/robots/robots.hpp"
+#include "support/seq.hpp"
+
+namespace kinefile::test {
+namespace {
+
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads the first of some files; the others lie beside it.
+ReadText read_set(const Files& files) {
+  ReadOptions options;
+  options.source_name = files[0].first;
+  options.companions = files_of(files);
+  ReadText read;
+  auto document = find_format("hrpsys")->read(files[0].second, options, read.diagnostics);
+  if (document) read.document = std::move(*document);
+  return read;
+}
+
+std::string written_part(const Document& document, const std::string& part) {
+  std::string text;
+  Diagnostics none;
+  WriteOptions options;
+  options.part = part;
+  const auto sink = [&](std::string_view piece) { return text += piece, true; };
+  EXPECT_TRUE(find_format("hrpsys")->write(document, options, sink, none)) << part;
+  return text;
+}
+
+TEST(HrpsysInvalid, EveryFileHasItsExactDiagnostics) {
+  std::size_t num_files = 0;
+  for (const char* part : {".pos", ".waist", ".hip", ".zmp"}) {
+    for (const std::string& name : fixtures("hrpsys/invalid", part)) {
+      const std::string expected = fixture(name.substr(0, name.find_last_of('.')) + ".txt");
+      const auto read = read_set({{name.substr(name.find_last_of('/') + 1), fixture(name)}});
+      EXPECT_EQ(text_of(read.diagnostics), expected) << name;
+      EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << name;
+      ++num_files;
+    }
+  }
+  EXPECT_GT(num_files, 11u);
+}
+
+TEST(Hrpsys, ReadsASetByAnyOfItsFiles) {
+  const Files files = {{"walk.pos", "# joints\n0 0.1 -0.2\n0.005 0.3 1e-3\n\n0.01 0 nan\n"},
+                       {"walk.waist", "0 1 2 3 0.1 0.2 0.3\n0.005 4 5 6 0 0 0\n"},
+                       {"walk.hip", "0 0.1 0.2 0.3\n0.005 0 0 0\n"},
+                       {"walk.zmp", "0\t7 8 9\r\n0.1 7 8 9\r\n"}};
+  for (std::size_t first = 0; first < files.size(); ++first) {
+    Files rotated = files;
+    std::swap(rotated[0], rotated[first]);
+    const auto read = read_set(rotated);
+    EXPECT_EQ(text_of(read.diagnostics), "");
+    const auto& components = components_of(read);
+    ASSERT_EQ(components.size(), 3u);
+    EXPECT_EQ(components[0].content, kJointDisplacement);
+    EXPECT_EQ(components[0].num_parts, 2u);
+    EXPECT_EQ(components[0].num_frames, 3u);
+    EXPECT_EQ(components[0].values[3], 1e-3);
+    EXPECT_TRUE(std::isnan(components[0].values[5]));
+    EXPECT_EQ(components[0].timeline.value, 200);
+    EXPECT_EQ(components[1].pose_form, PoseForm::RollPitchYaw);
+    EXPECT_EQ(components[1].values,
+              (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0, 0, 0}));
+    EXPECT_TRUE(components[2].is_root_relative);
+    EXPECT_EQ(components[2].timeline.value, 10);
+  }
+}
+
+TEST(Hrpsys, TheRootIsPositionsAndAnglesOrPositionsAndMatrices) {
+  const auto apart = read_set({{"a.waist", "0 1 2 3\n1 4 5 6\n"}, {"a.hip", "0 0.1 0.2 0.3\n"}});
+  EXPECT_EQ(components_of(apart)[0].values,
+            (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0.1, 0.2, 0.3}));
+  // A quarter turn about z.
+  const auto matrix =
+      read_set({{"a.waist", "0 1 2 3 0 -1 0 1 0 0 0 0 1\n1 0 0 0 1 0 0 0 1 0 0 0 1\n"}});
+  const Component& component = components_of(matrix)[0];
+  EXPECT_EQ(component.pose_form, PoseForm::Quaternion);
+  EXPECT_NEAR(component.values[3], std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(component.values[6], std::sqrt(0.5), 1e-15);
+}
+
+TEST(Hrpsys, AnglesThatDifferAreTold) {
+  const auto read = read_set(
+      {{"a.waist", "0 1 2 3 0 0 0\n1 1 2 3 0 0 0.5\n"}, {"a.hip", "0 0 0 0\n1 0 0 0.6\n"}});
+  EXPECT_EQ(text_of(read.diagnostics),
+            "a.hip:2:1: warning[HRP009]: expected the angles of the .waist file, found others, "
+            "first in frame 1; those of .waist count\n  1 0 0 0.6\n  ^\n");
+  EXPECT_EQ(components_of(read)[0].values[11], 0.5);
+}
+
+TEST(Hrpsys, ANameOfNoPartIsRefused) {
+  const auto read = read_set({{"walk.dat", "0 1\n"}});
+  EXPECT_EQ(read.diagnostics.items().at(0).code, "HRP005");
+}
+
+TEST(Hrpsys, WhatIsWrittenReadsTheSame) {
+  const auto seq = read_seq(
+      seq_of({joints({"[ 0.1, 1e-300 ]", "[ -0.5, 2 ]"}),
+              poses({"[ [ 1, 2, 3, 0.1, -0.2, 3 ] ]", "[ [ 4, 5, 6, 0.25, 0, 0 ] ]"}, "", "XYZRPY"),
+              zmp({"[ 0.1, 0.2, 0.3 ]"}, "    isRootRelative: true\n")}));
+  ASSERT_TRUE(seq.document) << text_of(seq.diagnostics);
+  Files files;
+  for (const std::string part : {".pos", ".waist", ".hip", ".zmp"}) {
+    files.emplace_back("a" + part, written_part(*seq.document, part));
+  }
+  EXPECT_EQ(files[0].second, "0 0.1 1e-300\n0.1 -0.5 2\n");
+  EXPECT_EQ(files[1].second, "0 1 2 3 0.1 -0.2 3\n0.1 4 5 6 0.25 0 0\n");
+  EXPECT_EQ(files[2].second, "0 0.1 -0.2 3\n0.1 0.25 0 0\n");
+  EXPECT_EQ(files[3].second, "0 0.1 0.2 0.3\n");
+  const auto back = read_set(files);
+  ASSERT_EQ(components_of(back).size(), 3u);
+  EXPECT_EQ(components_of(back)[0].values,
+            find_component(std::get<BodyMotion>(seq.document->content), ComponentKind::Values,
+                           kJointDisplacement)
+                ->values);
+  Diagnostics none;
+  const Document empty{BodyMotion{}, "choreonoid", {}};
+  const auto refused = find_format("hrpsys")->write(empty, {}, nullptr, none);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "HRP008");
+}
+
+}  // namespace
+}  // namespace kinefile::test

@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "diff_components.hpp"
+#include "diff_flows.hpp"
 #include "json_output.hpp"
 #include "report.hpp"
 
@@ -65,6 +66,17 @@ Motion motion_of(Document&& document) {
   return rest;
 }
 
+/// Prints what a comparison found. Returns the exit code.
+template <class Comparison>
+int tell(const Comparison& comparison, bool is_different, bool is_json) {
+  if (is_json) {
+    print_json(json_of(comparison));
+  } else {
+    print_text(comparison);
+  }
+  return is_different ? kInvalid : kDone;
+}
+
 int run(const Diff& diff, const Globals& globals) {
   int exit_code = kDone;
   auto first = load(diff.first, diff.reading, globals, exit_code);
@@ -74,16 +86,17 @@ int run(const Diff& diff, const Globals& globals) {
   const BodyMotion* b = std::get_if<BodyMotion>(&second->content);
   if (a != nullptr && b != nullptr) {
     const BodyComparison comparison = compare_components(*a, *b, diff.tolerance);
-    if (diff.is_json) {
-      print_json(json_of(comparison));
-    } else {
-      print_text(comparison);
-    }
-    return comparison.is_different ? kInvalid : kDone;
+    return tell(comparison, comparison.is_different, diff.is_json);
+  }
+  const PoseFlow* flow_a = std::get_if<PoseFlow>(&first->content);
+  const PoseFlow* flow_b = std::get_if<PoseFlow>(&second->content);
+  if (flow_a != nullptr && flow_b != nullptr) {
+    const auto differences = compare_flows(*flow_a, *flow_b);
+    return tell(differences, !differences.empty(), diff.is_json);
   }
   if (!has_skeleton(*first) || !has_skeleton(*second)) {
-    return usage_error(globals,
-                       "diff compares two motions, or two body motions; convert one first");
+    return usage_error(
+        globals, "diff compares two motions, two body motions or two flows; convert one first");
   }
   const MotionComparison comparison =
       compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
@@ -106,7 +119,8 @@ std::string check_tolerance(const std::string& text) {
 
 void add_diff(CLI::App& app, Globals& globals) {
   auto diff = std::make_shared<Diff>();
-  CLI::App* command = app.add_subcommand("diff", "Compare where two motions put their joints");
+  CLI::App* command = app.add_subcommand(
+      "diff", "Compare where two motions put their joints, or what two flows say");
   command->add_option("A", diff->first, "The first file")->required();
   command->add_option("B", diff->second, "The second file")->required();
   command->add_option("--tolerance", diff->tolerance, "Distances up to this are no difference")

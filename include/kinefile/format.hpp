@@ -75,6 +75,8 @@ struct ReadOptions {
   Resolver companions = {};
   /// Of a flow: the robot's project, for degrees and for checks of words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
+  bool in_degrees = false;   ///< of a flow's table: numbers are degrees, by the project
+  bool is_relative = false;  ///< ... from the base pose on
 };
 
 /// How to write a file.

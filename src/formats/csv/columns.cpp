@@ -63,7 +63,8 @@ std::size_t count_of_pose_channels(const std::vector<Field>& header, std::size_t
 /// 0 after an error.
 std::size_t take_columns(const TableReader& reader, const std::vector<Field>& header,
                          std::size_t first, std::vector<Group>& groups) {
-  const auto [name, channel] = split_name(header[first].text);
+  const auto split = split_name(header[first].text);
+  const std::string& name = split.first;
   if (is_of_a_figure(header[first].text)) {
     reader.error("CSV003",
                  fmt::format("expected columns of a robot's joints (NAME.q) or links (NAME.x to "
@@ -72,7 +73,7 @@ std::size_t take_columns(const TableReader& reader, const std::vector<Field>& he
                  header[first].at);
     return 0;
   }
-  if (channel == "q") {
+  if (split.second == "q") {
     group_of(groups, ComponentKind::Values, content_of(name)).columns.push_back(first);
     return 1;
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/csv/flow_table.hpp"
 #include "formats/csv/read.hpp"
 #include "text/printer.hpp"
 
@@ -13,6 +14,9 @@ constexpr std::array<std::string_view, 1> kExtensions = {".csv"};
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics&) {
+  if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
+    return write_flow(*flow, options, sink);
+  }
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (motion == nullptr) {
     return fail(make_error(ErrorKind::Usage, "CSV001",

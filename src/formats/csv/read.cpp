@@ -5,6 +5,7 @@
 
 #include "formats/csv/columns.hpp"
 #include "formats/csv/fields.hpp"
+#include "formats/csv/flow_table.hpp"
 #include "formats/files.hpp"
 #include "formats/table_rows.hpp"
 #include "text/decode.hpp"
@@ -69,6 +70,23 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   return component;
 }
 
+/// Reads the components of a robot's motion behind a header; empty after an error.
+std::optional<BodyMotion> read_body(const TableReader& reader, Fields& fields,
+                                    const std::vector<Field>& header) {
+  const std::vector<Group> groups = parse_header(reader, header);
+  TableRows rows;
+  rows.num_columns = header.size();
+  if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
+  const auto timeline = timeline_of_rows(reader.source, rows, reader.options.fps,
+                                         {"CSV006", "CSV007"}, reader.diagnostics);
+  if (!timeline) return std::nullopt;
+  BodyMotion motion;
+  for (const Group& group : groups) {
+    motion.components.push_back(component_of(group, *timeline, rows));
+  }
+  return motion;
+}
+
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
@@ -77,24 +95,19 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   const TableReader reader{source, options, diagnostics};
   Fields fields(source.text());
   const std::vector<Field> header = fields.take_record();
-  const std::vector<Group> groups = parse_header(reader, header);
-  TableRows rows;
-  rows.num_columns = header.size();
-  if (diagnostics.has_errors() || !parse_rows(reader, fields, rows)) {
-    return fail(diagnostics.first_error());
-  }
-  const auto timeline =
-      timeline_of_rows(source, rows, options.fps, {"CSV006", "CSV007"}, diagnostics);
-  if (!timeline) return fail(diagnostics.first_error());
-  BodyMotion motion;
-  for (const Group& group : groups) {
-    motion.components.push_back(component_of(group, *timeline, rows));
-  }
   Document document;
   document.format = "csv";
   document.extras.file["encoding"] = decoded->description();
   document.extras.file["line_end"] = text::line_end_of(source.text());
-  document.content = std::move(motion);
+  if (is_flow_header(header)) {
+    auto flow = read_flow(reader, fields, header);
+    if (!flow) return fail(diagnostics.first_error());
+    document.content = std::move(*flow);
+  } else {
+    auto motion = read_body(reader, fields, header);
+    if (!motion) return fail(diagnostics.first_error());
+    document.content = std::move(*motion);
+  }
   return document;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/json/flow.hpp"
 #include "formats/json/writer.hpp"
 
 namespace kinefile::json {
@@ -159,6 +160,8 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   text::Printer printer(sink, options.decimals);
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
     print_body_motion(printer, *motion, diagnostics);
+  } else if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
+    print_flow(printer, *flow);
   } else {
     print_motion(printer, document);
   }

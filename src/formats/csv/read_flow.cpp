@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/words.hpp"
+#include "formats/csv/flow_table.hpp"
+#include "formats/slider_words.hpp"
+#include "kinefile/robot_project.hpp"
+#include "text/numbers.hpp"
+
+namespace kinefile::csv {
+namespace {
+
+constexpr std::string_view kTime = "time", kNext = "next", kBreak = "break", kSound = "sound";
+
+/// What a column holds.
+struct Column {
+  std::string_view word;  ///< one of the above; empty: a slider
+  std::size_t slider = kNoColumn;
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text::is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && text::is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// The column of a name; empty if a flow has none of it.
+std::optional<Column> column_of(std::string_view name) {
+  const std::string lower = lowered(trimmed(name));
+  for (const std::string_view word : {kTime, kNext, kBreak, kSound}) {
+    if (lower == word) return Column{word, kNoColumn};
+  }
+  if (!lower.starts_with('s')) return std::nullopt;
+  const auto slider = text::parse_count(std::string_view(lower).substr(1));
+  if (!slider || *slider >= max_sliders(FlowFormat::WordN)) return std::nullopt;
+  return Column{{}, *slider};
+}
+
+class FlowReader {
+ public:
+  FlowReader(const TableReader& reader, const std::vector<Field>& header)
+      : reader_(reader), header_(header) {
+    if (reader.options.project != nullptr && reader.options.is_relative) {
+      base_ = base_values(*reader.options.project);
+    }
+  }
+
+  std::optional<PoseFlow> read(Fields& fields) {
+    if (!parse_columns()) return std::nullopt;
+    flow_.format = FlowFormat::WordN;
+    while (!fields.is_at_end()) {
+      if (fields.take_line_end()) continue;  // an empty line
+      const char* const start = fields.position();
+      const std::vector<Field> row = fields.take_record();
+      if (row.size() != columns_.size()) {
+        error("CSV005", fmt::format("expected {} fields, found {}", columns_.size(), row.size()),
+              start);
+        return std::nullopt;
+      }
+      parse_row(row, start);
+    }
+    settle_arrows();
+    if (reader_.diagnostics.has_errors()) return std::nullopt;
+    return std::move(flow_);
+  }
+
+ private:
+  void error(const char* code, std::string message, const char* at) const {
+    reader_.error(code, std::move(message), at);
+  }
+
+  bool parse_columns() {
+    std::vector<bool> is_known(max_sliders(FlowFormat::WordN));
+    for (const Field& field : header_) {
+      const auto column = column_of(field.text);
+      const bool is_again =
+          column && (column->word.empty()
+                         ? is_known[column->slider]
+                         : std::any_of(columns_.begin(), columns_.end(), [&](const Column& other) {
+                             return other.word == column->word;
+                           }));
+      if (!column || is_again) {
+        error("CSV010",
+              fmt::format("expected time, next, break, sound or s0 to s63, each once, found {}",
+                          text::quoted(field.text)),
+              field.at);
+        return false;
+      }
+      columns_.push_back(*column);
+      if (!column->word.empty()) continue;
+      is_known[column->slider] = true;
+      flow_.num_sliders = std::max(flow_.num_sliders, column->slider + 1);
+    }
+    if (flow_.num_sliders == 0) {
+      error("CSV010", "expected columns of sliders, s0 up, found none", header_[0].at);
+    }
+    return flow_.num_sliders > 0;
+  }
+
+  void parse_row(const std::vector<Field>& row, const char* start) {
+    Block block;
+    block.line = reader_.source.place_of(start).line;
+    block.normal = kOpenArrow;
+    PoseBlock pose;
+    pose.words.resize(flow_.num_sliders);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Column& column = columns_[i];
+      if (column.word == kTime) {
+        pose.ticks = integer(row[i], "CSV011", 1, kMaxTicks, "a time of 1 to 239 ticks");
+      } else if (column.word == kNext) {
+        block.normal = arrow(row[i], kOpenArrow);
+      } else if (column.word == kBreak) {
+        block.branch = arrow(row[i], kNoBlock);
+      } else if (column.word == kSound) {
+        pose.sound = row[i].text;
+      } else {
+        pose.words[column.slider] = word(row[i], column.slider);
+      }
+    }
+    block.body = std::move(pose);
+    flow_.blocks.push_back(std::move(block));
+    rows_.push_back(start);
+  }
+
+  int integer(const Field& field, const char* code, int least, int most, const char* expected) {
+    const std::string_view token = trimmed(field.text);
+    const text::Number number = text::parse_number(token);
+    const bool is_good = number.fault == text::NumberFault::None && number.value >= least &&
+                         number.value <= most && number.value == std::floor(number.value);
+    if (is_good) return static_cast<int>(number.value);
+    error(code, fmt::format("expected {}, found {}", expected, found(token)), field.at);
+    return least;
+  }
+
+  static std::string found(std::string_view token) {
+    return token.empty() ? "nothing" : text::quoted(token);
+  }
+
+  /// A pose's number, or -1; nothing is what `nothing` says.
+  int arrow(const Field& field, int nothing) {
+    if (trimmed(field.text).empty()) return nothing;
+    constexpr int kMost = 100'000'000;
+    return integer(field, "CSV012", kNoBlock, kMost,
+                   "the number of a pose, from 0, or -1 for none");
+  }
+
+  SliderWord word(const Field& field, std::size_t slider) {
+    const std::string_view token = trimmed(field.text);
+    if (const auto word = parse_word(token)) return *word;
+    if (token.empty()) return {};
+    const text::Number number = text::parse_number(token);
+    if (number.fault != text::NumberFault::None || !reader_.options.in_degrees) {
+      error("CSV013",
+            fmt::format("expected a word such as 0x2b01 or 0X0000{}, found {}",
+                        reader_.options.in_degrees ? " or degrees" : "", text::quoted(token)),
+            field.at);
+      return {};
+    }
+    return word_of_degrees(number.value, slider, field);
+  }
+
+  SliderWord word_of_degrees(double degrees, std::size_t slider, const Field& field) {
+    const RobotProject* project = reader_.options.project.get();
+    const bool is_known = project != nullptr && slider < project->sliders.size() &&
+                          project->sliders[slider].units_per_degree > 0;
+    if (!is_known) {
+      error("CSV014",
+            fmt::format("expected a word such as 0x2b01: the project does not show slider {} in "
+                        "degrees",
+                        slider),
+            field.at);
+      return {};
+    }
+    const double base = slider < base_.size() ? base_[slider] : 0;
+    const double value = std::round(degrees * project->sliders[slider].units_per_degree + base);
+    if (!(value >= -32768 && value <= 32767)) {
+      error("CSV014",
+            fmt::format("expected degrees that a word of 16 bits can say, found {}", degrees),
+            field.at);
+      return {};
+    }
+    return {static_cast<std::int16_t>(value), true};
+  }
+
+  /// Arrows that the table leaves open go to the next row; all must lead to a pose.
+  void settle_arrows() {
+    const int count = static_cast<int>(flow_.blocks.size());
+    for (int i = 0; i < count; ++i) {
+      Block& block = flow_.blocks[static_cast<std::size_t>(i)];
+      if (block.normal == kOpenArrow) block.normal = i + 1 < count ? i + 1 : kNoBlock;
+      for (const int arrow : {block.normal, block.branch}) {
+        if (arrow < count && arrow != i) continue;
+        error("CSV012",
+              arrow == i ? fmt::format("expected another pose than pose {} itself", i)
+                         : fmt::format("expected a pose from 0 to {}, found {}", count - 1, arrow),
+              rows_[static_cast<std::size_t>(i)]);
+      }
+    }
+    if (count == 0) error("CSV011", "expected a row a pose, found none", header_[0].at);
+  }
+
+  /// An arrow that the table leaves open.
+  static constexpr int kOpenArrow = -2;
+
+  const TableReader& reader_;
+  const std::vector<Field>& header_;
+  std::vector<Column> columns_;
+  std::vector<const char*> rows_;
+  std::vector<std::int16_t> base_;
+  PoseFlow flow_;
+};
+
+}  // namespace
+
+bool is_flow_header(const std::vector<Field>& header) {
+  return header.size() > 1 && lowered(trimmed(header[0].text)) == kTime &&
+         std::all_of(header.begin(), header.end(),
+                     [](const Field& field) { return column_of(field.text).has_value(); });
+}
+
+std::optional<PoseFlow> read_flow(const TableReader& reader, Fields& fields,
+                                  const std::vector<Field>& header) {
+  return FlowReader(reader, header).read(fields);
+}
+
+}  // namespace kinefile::csv

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinefile/pose_flow.hpp"
+#include "text/printer.hpp"
+
+namespace kinefile::json {
+
+/// Prints a flow of servo poses with all that its blocks say: docs/formats/json.md.
+void print_flow(text::Printer& printer, const PoseFlow& flow);
+
+}  // namespace kinefile::json

@@ -98,6 +98,8 @@ Layout layout_of(const Document& document, FlowFormat format, const WriteOptions
     layout.encoding = options.encoding;
     layout.has_bom = options.encoding.starts_with("utf-16");
   }
+  // What is asked for like this is meant for the editor.
+  if (options.encoding == "utf-16le") layout.line_end = "\r\n";
   return layout;
 }
 

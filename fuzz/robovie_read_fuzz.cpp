@@ -78,7 +78,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_reading(document, diagnostics);
   if (!document) return 0;
   check_flow(std::get<PoseFlow>(document->content));
-  check_round_trip(*document, "");
+  // What was no character has become U+FFFD, which not every encoding has.
+  if (diagnostics.count_of("TXT001", Severity::Warning) == 0) check_round_trip(*document, "");
   check_round_trip(*document, "utf-16le");
   return 0;
 }

@@ -104,7 +104,7 @@ TEST(RobotProjectReader, FaultsHaveTheirWords) {
   EXPECT_EQ(text_of(read_small(small_project(), "HIERARCHY\n").diagnostics),
             "robot.rpj:1:1: error[RPJ001]: expected a robot project (MODELNAME:, SLDINI:), found "
             "none\n  HIERARCHY\n  ^\n");
-  EXPECT_EQ(text_of(read_small(small_project(), "MODELNAME:[[a]]\n").diagnostics).substr(0, 58),
+  EXPECT_EQ(text_of(read_small(small_project(), "MODELNAME:[[a]]\n").diagnostics).substr(0, 59),
             "robot.rpj:1:1: error[RPJ002]: expected SLDINI:, found none\n");
   Files without = small_project();
   without.erase("sld.ini");

@@ -77,6 +77,8 @@ struct ReadOptions {
   std::shared_ptr<const RobotProject> project = nullptr;
   bool in_degrees = false;   ///< of a flow's table: numbers are degrees, by the project
   bool is_relative = false;  ///< ... from the base pose on
+  /// Of a flow: warn of sliders that go further than so many units in a tick.
+  std::optional<double> max_speed = std::nullopt;
 };
 
 /// How to write a file.

@@ -10,6 +10,7 @@
 #include "formats/csv/format.hpp"
 #include "formats/hrpsys/format.hpp"
 #include "formats/json/format.hpp"
+#include "formats/robovie/format.hpp"
 #include "formats/urdf/format.hpp"
 #include "formats/wrl/format.hpp"
 #include "kinefile/format.hpp"
@@ -21,8 +22,8 @@ namespace {
 
 std::vector<Format> all_formats() {
   std::vector<Format> all = {
-      bvh::format(),        acclaim::asf_format(), acclaim::amc_format(),
-      choreonoid::format(), body::format(),        wrl::format(),
+      bvh::format(),     acclaim::asf_format(), acclaim::amc_format(), choreonoid::format(),
+      robovie::format(), body::format(),        wrl::format(),
   };
   for (const Format& format : urdf::formats()) all.push_back(format);  // not in every build
   all.insert(all.end(), {hrpsys::format(), csv::format(), json::format()});

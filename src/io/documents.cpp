@@ -114,7 +114,7 @@ Result<void> write_set(const std::string& path, const Document& document, const 
                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
   if (path == "-") {
     return fail(make_error(
-        ErrorKind::Usage, "FMT005",
+        ErrorKind::Usage, "FMT006",
         fmt::format("{} is a set of files, which standard output cannot take", format.name)));
   }
   std::vector<std::pair<std::string, OutputFile>> files;
@@ -140,6 +140,15 @@ Result<void> write_set(const std::string& path, const Document& document, const 
 }
 
 }  // namespace
+
+Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
+                                       Diagnostics& diagnostics) {
+  options.source_name = path;
+  options.companions = files_beside(path);
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return fail(bytes.error());
+  return read_project(bytes->view(), options, diagnostics);
+}
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics) {

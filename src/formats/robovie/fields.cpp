@@ -6,6 +6,7 @@
 
 #include "formats/robovie/codes.hpp"
 #include "formats/robovie/reader.hpp"
+#include "formats/slider_words.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::robovie {
@@ -63,19 +64,6 @@ void tell_spelling(const Reader& reader, std::string_view what, const char* at) 
                           "it",
                           what),
               at);
-}
-
-std::optional<SliderWord> parse_word(std::string_view token) {
-  if (token.size() != 6 || token[0] != '0' || (token[1] != 'x' && token[1] != 'X')) {
-    return std::nullopt;
-  }
-  int value = 0;
-  for (const char c : token.substr(2)) {
-    const int digit = digit_value(c);
-    if (digit < 0) return std::nullopt;
-    value = value * 16 + digit;
-  }
-  return SliderWord{static_cast<std::int16_t>(static_cast<std::uint16_t>(value)), token[1] == 'x'};
 }
 
 bool Settings::are_complete() const {

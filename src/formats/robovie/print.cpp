@@ -3,27 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "formats/slider_words.hpp"
 
 namespace kinefile::robovie {
 namespace {
 
 std::string words_text(const std::vector<SliderWord>& words) {
-  constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   text.reserve(words.size() * 7);
   for (const SliderWord& word : words) {
     if (!text.empty()) text += ',';
-    text += word.is_enabled ? "0x" : "0X";
-    const auto value = static_cast<std::uint16_t>(word.value);
-    for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(value >> shift) & 15];
+    text += word_text(word);
   }
-  return text;
-}
-
-std::string mask_text(const std::bitset<kNumServos>& mask) {
-  std::string text = mask.to_string();  // channel 0 on the right
-  std::reverse(text.begin(), text.end());
   return text;
 }
 
@@ -33,7 +24,7 @@ struct BodyText {
   std::string operator()(const LoopBlock&) const { return "_OLDLOOP:"; }
   std::string operator()(const PoseBlock& pose) const {
     return fmt::format("_POSE:[{}]-[{}]-[[{}]]-[{}]", pose.ticks, words_text(pose.words),
-                       pose.sound, mask_text(pose.servo_off));
+                       pose.sound, servo_mask_text(pose.servo_off));
   }
   std::string operator()(const ArithmeticBlock& block) const {
     return fmt::format("{}:[{}]-[{}]-[{}]", block.has_variable_operand ? "_VARVAR" : "_VARCON",

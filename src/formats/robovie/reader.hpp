@@ -76,9 +76,6 @@ void tell_wrong(const Reader& reader, const char* code, std::string message, std
 /// Tells of a way of writing that the editor does not have and may not read.
 void tell_spelling(const Reader& reader, std::string_view what, const char* at);
 
-/// A word: 0x or 0X and four hexadecimal digits, capital ones, too. Nothing if it is none.
-std::optional<SliderWord> parse_word(std::string_view token);
-
 /// Reads the words of a pose. \returns how many there are; of too many the first are kept
 std::size_t parse_words(const Reader& reader, const Field& field, std::size_t num_kept,
                         std::vector<SliderWord>& words);

@@ -54,6 +54,10 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       .add_option("--skeleton", reading.skeleton,
                   "The skeleton of a motion that needs one; else it is looked for beside the file")
       ->type_name("FILE");
+  command
+      .add_option("--project", reading.project,
+                  "The RobovieMaker project (.rpj) of the robot that a flow is for")
+      ->type_name("FILE");
   command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
       ->check(check_rate)
       ->type_name("RATE");
@@ -131,6 +135,29 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
                            fmt::format("'{}' holds no skeleton", reading.skeleton)));
   }
   return std::optional<Document>(std::move(*skeleton));
+}
+
+Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
+                                                         Diagnostics& diagnostics) {
+  if (reading.project.empty()) return std::shared_ptr<const RobotProject>();
+  const auto bytes = FileBytes::open(reading.project);
+  if (!bytes) return fail(bytes.error());
+  ReadOptions options;
+  options.source_name = reading.project;
+  options.lenient = reading.is_lenient;
+  options.companions = files_beside(reading.project);
+  auto project = read_project(bytes->view(), options, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  return std::make_shared<const RobotProject>(std::move(*project));
+}
+
+std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,
+                                  const Globals& globals, int& exit_code) {
+  auto document = load(path, reading, globals, exit_code);
+  if (!document) return std::nullopt;
+  if (auto* flow = std::get_if<PoseFlow>(&document->content)) return std::move(*flow);
+  exit_code = usage_error(globals, fmt::format("'{}' holds no flow of poses", path));
+  return std::nullopt;
 }
 
 Result<Motion> motion_in_world(Document& document, const Reading& reading,

@@ -58,6 +58,11 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       .add_option("--project", reading.project,
                   "The RobovieMaker project (.rpj) of the robot that a flow is for")
       ->type_name("FILE");
+  command
+      .add_option("--max-speed", reading.max_speed,
+                  "Warn of sliders of a flow that go further than so many units in a tick")
+      ->check(CLI::PositiveNumber)
+      ->type_name("UNITS");
   command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
       ->check(check_rate)
       ->type_name("RATE");
@@ -70,7 +75,8 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       ->type_name("MODE");
   command
       .add_option("--encoding", reading.encoding,
-                  "Encoding of the input; else byte order marks and its bytes tell")
+                  "Encoding of the input; else byte order marks and its bytes tell. Of convert to "
+                  "robovie the output's; else that of the input, or utf-16le")
       ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
       ->type_name("ENCODING");
   command
@@ -107,6 +113,10 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   if (reading.timed_rounding == "slerp") options.timed_rounding = TimedRounding::Slerp;
   options.keeps_times = reading.keeps_times;
   if (!reading.unit_in.empty()) options.metres_per_unit = metres_of(reading.unit_in);
+  auto project = load_project(reading, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  options.project = std::move(*project);
+  options.max_speed = reading.max_speed;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   return read_file(path, format, options, diagnostics);
 }
@@ -139,16 +149,13 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
 
 Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
                                                          Diagnostics& diagnostics) {
-  if (reading.project.empty()) return std::shared_ptr<const RobotProject>();
-  const auto bytes = FileBytes::open(reading.project);
-  if (!bytes) return fail(bytes.error());
+  if (reading.project.empty() || reading.loaded_project) return reading.loaded_project;
   ReadOptions options;
-  options.source_name = reading.project;
   options.lenient = reading.is_lenient;
-  options.companions = files_beside(reading.project);
-  auto project = read_project(bytes->view(), options, diagnostics);
+  auto project = read_project_file(reading.project, options, diagnostics);
   if (!project) return fail(std::move(project.error()));
-  return std::make_shared<const RobotProject>(std::move(*project));
+  reading.loaded_project = std::make_shared<const RobotProject>(std::move(*project));
+  return reading.loaded_project;
 }
 
 std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,

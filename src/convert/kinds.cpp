@@ -150,7 +150,6 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
                 : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo "
                   "map"));
   }
-  if (is_flow) return document;
   const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
   const Motion* motion = std::get_if<Motion>(&document.content);
   const auto put = [&](auto&& made) -> Result<Document> {
@@ -158,6 +157,13 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
     document.content = std::move(*made);
     return std::move(document);
   };
+  if (is_flow) {
+    // A table has a row a pose, each with its next and break.
+    const auto wanted =
+        format.name == "csv" ? std::optional(FlowFormat::WordN) : options.flow_format;
+    if (!wanted) return document;
+    return put(in_flow_format(std::get<PoseFlow>(document.content), *wanted, diagnostics));
+  }
   if (format.name == "hrpsys") return put(set_of(document, options, diagnostics));
   if (format.name == "choreonoid") {
     if (body != nullptr && !options.form) return document;

@@ -76,6 +76,7 @@ void add_edit(CLI::App& app, Globals& globals);
 void add_warp(CLI::App& app, Globals& globals);
 void add_align(CLI::App& app, Globals& globals);
 void add_resample(CLI::App& app, Globals& globals);
+void add_keyframe(CLI::App& app, Globals& globals);
 void add_formats(CLI::App& app, Globals& globals);
 
 /// Writes the man page, or the completions for a shell: "man", "bash", "zsh" or "fish".

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
+#include <set>
 
 #include "text/decode.hpp"
 #include "text/numbers.hpp"
@@ -24,6 +26,9 @@ constexpr int kLowestWord = -32768, kHighestWord = 32767;
 /// What editors write for a sixtieth of a second, in microseconds.
 constexpr double kSixtieth = 16667;
 constexpr double kMicroseconds = 1e6;
+
+/// Until it is known.
+constexpr std::size_t kNoSlider = std::numeric_limits<std::size_t>::max();
 
 /// The range of a number in a map.
 struct Range {
@@ -134,6 +139,7 @@ class MapReader {
       tell("SVM003", fmt::format("expected '{}' in a servo, found none", key), node.at);
     }
     ServoMapEntry entry;
+    entry.slider = kNoSlider;
     const double highest = static_cast<double>(map_.num_sliders) - 1;
     read_number(node, "slider", {0, highest}, entry.slider);
     read_joint(node, entry);
@@ -172,25 +178,23 @@ class MapReader {
     entry.sign = found;
   }
 
-  /// A slider that is unknown is 0 here, a joint without a name: neither is told again.
   void tell_repetition(const Node& node, const ServoMapEntry& entry) {
-    for (const ServoMapEntry& other : map_.entries) {
-      const Node* slider = text::yaml::find(node, "slider");
-      if (slider != nullptr && other.slider == entry.slider) {
-        tell("SVM005", fmt::format("expected slider {} once, found it again", entry.slider),
-             slider->at);
-      }
-      if (!entry.joint.empty() && other.joint == entry.joint) {
-        tell("SVM005",
-             fmt::format("expected joint {} once, found it again", text::quoted(entry.joint)),
-             text::yaml::find(node, "joint")->at);
-      }
+    if (entry.slider != kNoSlider && !sliders_.insert(entry.slider).second) {
+      tell("SVM005", fmt::format("expected slider {} once, found it again", entry.slider),
+           text::yaml::find(node, "slider")->at);
+    }
+    if (!entry.joint.empty() && !joints_.insert(entry.joint).second) {
+      tell("SVM005",
+           fmt::format("expected joint {} once, found it again", text::quoted(entry.joint)),
+           text::yaml::find(node, "joint")->at);
     }
   }
 
   const text::Source& source_;
   Diagnostics& diagnostics_;
   ServoMap map_;
+  std::set<std::size_t> sliders_;
+  std::set<std::string> joints_;
 };
 
 }  // namespace
@@ -207,12 +211,25 @@ Result<ServoMap> parse_servo_map(std::string_view text, const std::string& sourc
   return map;
 }
 
+namespace {
+
+/// A tick in microseconds, as it reads the same again.
+double microseconds_of(double seconds) {
+  if (seconds == 1.0 / 60) return kSixtieth;
+  const double rounded = seconds * kMicroseconds;
+  for (const double near : {std::nextafter(rounded, 0.0), std::nextafter(rounded, 1e300)}) {
+    if (rounded / kMicroseconds != seconds && near / kMicroseconds == seconds) return near;
+  }
+  return rounded;
+}
+
+}  // namespace
+
 std::string to_yaml(const ServoMap& map) {
-  const bool is_sixtieth = map.tick_seconds == 1.0 / 60;
   std::string yaml = fmt::format(
       "# A servo map of kinefile: angle in degrees = sign * (word - offset) / units_per_degree\n"
       "sliders: {}\ntick: {}  # microseconds\n",
-      map.num_sliders, is_sixtieth ? kSixtieth : map.tick_seconds * kMicroseconds);
+      map.num_sliders, microseconds_of(map.tick_seconds));
   if (!map.base_pose.empty()) {
     yaml += fmt::format("base_pose: [{}]\n", fmt::join(map.base_pose, ", "));
   }

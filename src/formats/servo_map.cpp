@@ -112,7 +112,7 @@ class MapReader {
   void read_head(const Node& root) {
     read_number(root, "sliders", {1, 64}, map_.num_sliders);
     double tick = kSixtieth;
-    read_number(root, "tick", {100, 10'000'000, false}, tick);
+    read_number(root, "tick", {100, 10'000'000}, tick);
     if (tick != kSixtieth) map_.tick_seconds = tick / kMicroseconds;
     const Node* base = text::yaml::find(root, "base_pose");
     if (base == nullptr) return;
@@ -211,25 +211,13 @@ Result<ServoMap> parse_servo_map(std::string_view text, const std::string& sourc
   return map;
 }
 
-namespace {
-
-/// A tick in microseconds, as it reads the same again.
-double microseconds_of(double seconds) {
-  if (seconds == 1.0 / 60) return kSixtieth;
-  const double rounded = seconds * kMicroseconds;
-  for (const double near : {std::nextafter(rounded, 0.0), std::nextafter(rounded, 1e300)}) {
-    if (rounded / kMicroseconds != seconds && near / kMicroseconds == seconds) return near;
-  }
-  return rounded;
-}
-
-}  // namespace
-
 std::string to_yaml(const ServoMap& map) {
+  const double tick =
+      map.tick_seconds == 1.0 / 60 ? kSixtieth : std::round(map.tick_seconds * kMicroseconds);
   std::string yaml = fmt::format(
       "# A servo map of kinefile: angle in degrees = sign * (word - offset) / units_per_degree\n"
       "sliders: {}\ntick: {}  # microseconds\n",
-      map.num_sliders, microseconds_of(map.tick_seconds));
+      map.num_sliders, tick);
   if (!map.base_pose.empty()) {
     yaml += fmt::format("base_pose: [{}]\n", fmt::join(map.base_pose, ", "));
   }

@@ -75,6 +75,8 @@ struct ReadOptions {
   Resolver companions = {};
   /// Of a flow: the robot's project, for degrees and for checks of words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
+  /// Of a flow: warn of sliders that go further than so many units in a tick.
+  std::optional<double> max_speed = std::nullopt;
 };
 
 /// How to write a file.

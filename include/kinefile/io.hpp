@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kinefile/format.hpp"
+#include "kinefile/robot_project.hpp"
 
 namespace kinefile {
 
@@ -35,6 +36,12 @@ Resolver files_beside(const std::string& path);
 /// \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the reader's
 Result<Document> read_file(const std::string& path, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
+
+/// Reads a robot's project and the files that it names, which lie beside it or below.
+/// \param options  how to take encodings and faults; the source and its companions are set here
+/// \errors IO001 if the file cannot be read, else those of `read_project`
+Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
+                                       Diagnostics& diagnostics);
 
 /// A file that appears whole or not at all: written to a temporary name beside it, synced, and
 /// renamed by `commit`. Destroyed before that, it leaves nothing behind.

@@ -127,11 +127,12 @@ std::string_view body_name(const Block& block);
 
 /// What is odd about the way that a flow takes. None of it keeps a file from being read.
 enum class FlowFault {
-  Unreachable,       ///< no way leads to the block
-  DeadEnd,           ///< a block that is no end leads nowhere; of WORD_N that is how flows end
-  NoBranch,          ///< the branch of a loop or branch block leads nowhere
-  EndlessCycle,      ///< blocks that go round for ever; told once, of its first block
-  CycleWithoutPose,  ///< ... and take no time at all
+  Unreachable,   ///< no way leads to the block
+  DeadEnd,       ///< the normal arrow of a block that is no end leads nowhere; of WORD_N that is
+                 ///< how flows end
+  NoBranch,      ///< the branch of a loop or branch block leads nowhere
+  EndlessCycle,  ///< poses that go round for ever; told once, of its first block
+  CycleWithoutPose,  ///< blocks that can go round and take no time at all
   NoEnd,             ///< V1R4: there is no end block; of block 0
 };
 

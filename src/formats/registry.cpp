@@ -9,6 +9,7 @@
 #include "formats/choreonoid/format.hpp"
 #include "formats/csv/format.hpp"
 #include "formats/json/format.hpp"
+#include "formats/robovie/format.hpp"
 #include "formats/urdf/format.hpp"
 #include "formats/wrl/format.hpp"
 #include "kinefile/format.hpp"
@@ -20,8 +21,8 @@ namespace {
 
 std::vector<Format> all_formats() {
   std::vector<Format> all = {
-      bvh::format(),        acclaim::asf_format(), acclaim::amc_format(),
-      choreonoid::format(), body::format(),        wrl::format(),
+      bvh::format(),     acclaim::asf_format(), acclaim::amc_format(), choreonoid::format(),
+      robovie::format(), body::format(),        wrl::format(),
   };
   for (const Format& format : urdf::formats()) all.push_back(format);  // not in every build
   all.insert(all.end(), {csv::format(), json::format()});

@@ -85,6 +85,15 @@ Result<Document> read_file(const std::string& path, const Format* format, ReadOp
   return format->read(bytes->view(), options, diagnostics);
 }
 
+Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
+                                       Diagnostics& diagnostics) {
+  options.source_name = path;
+  options.companions = files_beside(path);
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return fail(bytes.error());
+  return read_project(bytes->view(), options, diagnostics);
+}
+
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
   if (format.write == nullptr) {

@@ -9,17 +9,13 @@
 #include <optional>
 #include <vector>
 
+#include "text/cp932.hpp"
 #include "text/source.hpp"
 
 namespace kinefile::text {
 namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
-
-/// Rows of the two-byte part of code page 932, by lead byte 81..9F, E0..FC.
-constexpr const char16_t* kCp932[] = {
-#include "text/cp932_table.inc"
-};
 
 void append_utf8(std::string& out, char32_t c) {
   const auto byte = [](char32_t value) { return static_cast<char>(value); };
@@ -125,14 +121,6 @@ std::string from_latin1(std::string_view bytes) {
   return out;
 }
 
-/// The character of two bytes in code page 932, if there is one.
-std::optional<char32_t> cp932_pair(std::uint8_t lead, std::uint8_t trail) {
-  const bool is_lead = (lead >= 0x81 && lead <= 0x9F) || (lead >= 0xE0 && lead <= 0xFC);
-  if (!is_lead || trail < 0x40 || trail > 0xFC) return std::nullopt;
-  const char32_t c = kCp932[lead <= 0x9F ? lead - 0x81 : lead - 0xE0 + 0x1F][trail - 0x40];
-  return c == kReplacement ? std::nullopt : std::optional(c);
-}
-
 std::string from_cp932(std::string_view bytes, BadPlaces& bad) {
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -141,7 +129,7 @@ std::string from_cp932(std::string_view bytes, BadPlaces& bad) {
       out += bytes[i];
     } else if (byte >= 0xA1 && byte <= 0xDF) {
       append_utf8(out, 0xFF61u + byte - 0xA1u);  // half-width katakana
-    } else if (const auto c = cp932_pair(byte, byte_at(bytes, i + 1))) {
+    } else if (const auto c = cp932_character(byte, byte_at(bytes, i + 1))) {
       append_utf8(out, *c);
       ++i;
     } else {
@@ -170,7 +158,8 @@ Detected detect_encoding(std::string_view bytes) {
 }  // namespace
 
 Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
-                           const std::string& source_name, Diagnostics& diagnostics) {
+                           const std::string& source_name, Diagnostics& diagnostics,
+                           std::string_view fallback) {
   const Detected detected = detect_encoding(bytes);
   DecodedText text;
   text.encoding = encoding.empty() ? detected.encoding : encoding;
@@ -179,7 +168,7 @@ Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
 
   const bool is_guess = text.encoding.empty();
   const std::size_t valid = is_guess || text.encoding == "utf-8" ? valid_utf8_prefix(bytes) : 0;
-  if (is_guess) text.encoding = valid == bytes.size() ? "utf-8" : "latin-1";
+  if (is_guess) text.encoding = valid == bytes.size() ? "utf-8" : fallback;
 
   BadPlaces bad;
   if (text.encoding == "utf-8") {

@@ -24,11 +24,13 @@ struct DecodedText {
 /// Decodes bytes to UTF-8 without a byte order mark.
 /// \param encoding  "utf-8", "utf-16le", "utf-16be", "latin-1" or "cp932"; empty: a byte order
 ///                  mark decides, else zero bytes show UTF-16, else valid UTF-8 is UTF-8, else
-///                  Latin-1, in which every byte is a character
+///                  `fallback`
+/// \param fallback  of bytes that nothing else shows; Latin-1, in which every byte is a character
 /// Bytes that the encoding does not have become U+FFFD, with a warning TXT001; Latin-1 that
 /// nobody asked for is a note TXT002.
 /// \errors TXT003 if the encoding is not known
 Result<DecodedText> decode(std::string_view bytes, const std::string& encoding,
-                           const std::string& source_name, Diagnostics& diagnostics);
+                           const std::string& source_name, Diagnostics& diagnostics,
+                           std::string_view fallback = "latin-1");
 
 }  // namespace kinefile::text

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "formats/robovie/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "formats/files.hpp"
+#include "formats/robovie/codes.hpp"
+#include "formats/robovie/decode.hpp"
+#include "formats/robovie/print.hpp"
+#include "formats/robovie/reader.hpp"
+#include "text/encode.hpp"
+#include "text/printer.hpp"
+
+namespace kinefile::robovie {
+namespace {
+
+constexpr std::array<std::string_view, 1> kExtensions = {".txt"};
+
+/// Looks for the first line, which is the same in all files.
+bool probe(std::string_view head) {
+  constexpr std::size_t kEnough = 1024;
+  Diagnostics ignored;
+  const auto decoded = decode_motion(head.substr(0, kEnough), {}, ignored);
+  if (!decoded) return false;
+  const std::size_t first = decoded->view().find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos &&
+         decoded->view().substr(first).starts_with("_MOTION_FORMAT:");
+}
+
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
+}
+
+/// Tells, once, that a file is not laid out as the editor writes it.
+void check_encoding(const Reader& reader, const text::DecodedText& decoded, FlowFormat format) {
+  const std::string_view line_end = text::line_end_of(decoded.view());
+  const bool is_utf16 = decoded.encoding == "utf-16le" && decoded.has_bom;
+  // How the older editor encodes its files is not known; Windows' own encoding is likely.
+  const bool is_old = format == FlowFormat::WordN && !decoded.has_bom &&
+                      (decoded.encoding == "cp932" || is_ascii(decoded.view()));
+  if (line_end == "crlf" && (is_utf16 || is_old)) return;
+  reader.warn(code::kOtherEncoding,
+              fmt::format("expected utf-16le with BOM and line ends crlf, as the editor writes, "
+                          "found {} and {}; it may not read that",
+                          decoded.description(), line_end),
+              reader.source.text().data());
+}
+
+void keep_layout(Extras& extras, const text::DecodedText& decoded, const FlowFile& file) {
+  extras.file["encoding"] = decoded.description();
+  extras.file["line_end"] = text::line_end_of(decoded.view());
+  extras.file[extra::kBlankLines] = file.has_blank_lines ? "blocks" : "none";
+  const bool ends_with_line = decoded.view().ends_with('\n') || decoded.view().ends_with('\r');
+  if (!ends_with_line) extras.file[extra::kLastLineEnd] = "none";
+}
+
+Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  const auto decoded = decode_motion(bytes, options, diagnostics);
+  if (!decoded) return fail(decoded.error());
+  const text::Source source(options.source_name, decoded->view());
+  const Reader reader{source, options, diagnostics};
+  FlowFile file = parse(reader);
+  if (file.start != nullptr) check_encoding(reader, *decoded, file.flow.format);
+  check(reader, file);
+  check_on_robot(reader, file);
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  Document document;
+  document.format = "robovie";
+  keep_layout(document.extras, *decoded, file);
+  document.content = std::move(file.flow);
+  return document;
+}
+
+Result<Document> read(std::string_view bytes, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+}
+
+/// How a document is to be laid out: as its file was, but for what the options say.
+Layout layout_of(const Document& document, FlowFormat format, const WriteOptions& options) {
+  Layout layout;
+  layout.has_blank_lines = format == FlowFormat::V1R4;
+  const auto& kept = document.extras.file;
+  if (document.format == "robovie" && kept.count("encoding") > 0) {
+    const std::string& description = kept.at("encoding");
+    layout.encoding = description.substr(0, description.find(' '));
+    layout.has_bom = description != layout.encoding;
+    layout.line_end = kept_line_end(document.extras);
+    layout.ends_with_line = kept.count(extra::kLastLineEnd) == 0;
+    const auto blank_lines = kept.find(extra::kBlankLines);
+    if (blank_lines != kept.end()) layout.has_blank_lines = blank_lines->second == "blocks";
+  }
+  if (!options.encoding.empty() && options.encoding != layout.encoding) {
+    layout.encoding = options.encoding;
+    layout.has_bom = options.encoding.starts_with("utf-16");
+  }
+  return layout;
+}
+
+/// Prints lines in an encoding.
+class EncodedPrinter {
+ public:
+  EncodedPrinter(const Layout& layout, const Sink& sink) : layout_(layout), printer_(sink) {
+    if (layout.has_bom) printer_.print(text::byte_order_mark(layout.encoding));
+  }
+
+  /// Prints lines that end with "\n". \returns a character that the encoding does not have
+  std::string_view print(std::string_view lines) {
+    while (!lines.empty()) {
+      const std::size_t end = lines.find('\n');
+      bytes_.clear();
+      if (has_line_) text::append_encoded(bytes_, layout_.line_end, layout_.encoding);
+      const std::string_view other =
+          text::append_encoded(bytes_, lines.substr(0, end), layout_.encoding);
+      if (!other.empty()) return other;
+      printer_.print(bytes_);
+      has_line_ = true;
+      lines.remove_prefix(end + 1);
+    }
+    return {};
+  }
+
+  bool finish() {
+    bytes_.clear();
+    if (layout_.ends_with_line) text::append_encoded(bytes_, layout_.line_end, layout_.encoding);
+    printer_.print(bytes_);
+    return printer_.finish();
+  }
+
+ private:
+  const Layout& layout_;
+  text::Printer printer_;
+  std::string bytes_;
+  bool has_line_ = false;
+};
+
+Error cannot_write(std::string why) {
+  return make_error(ErrorKind::Usage, code::kCannotWrite, std::move(why));
+}
+
+Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
+                   Diagnostics&) {
+  const PoseFlow* const flow = std::get_if<PoseFlow>(&document.content);
+  if (flow == nullptr) return fail(cannot_write("expected a flow of servo poses to write"));
+  if (const std::string why = why_not_written(*flow); !why.empty()) {
+    return fail(cannot_write("the flow cannot be written: " + why));
+  }
+  const Layout layout = layout_of(document, flow->format, options);
+  if (!text::is_encoding(layout.encoding)) {
+    return fail(cannot_write(fmt::format("expected an encoding, found '{}'", layout.encoding)));
+  }
+  EncodedPrinter printer(layout, sink);
+  printer.print(header_text(*flow));
+  for (std::size_t b = 0; b < flow->blocks.size(); ++b) {
+    if (layout.has_blank_lines) printer.print("\n");
+    const std::string text = block_text(*flow, flow->blocks[b]);
+    if (const std::string_view other = printer.print(text); !other.empty()) {
+      return fail(make_error(
+          ErrorKind::DataLoss, code::kCannotEncode,
+          fmt::format("the texts of block {} have the character '{}', which {} does not have", b,
+                      other, layout.encoding)));
+    }
+  }
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return {};
+}
+
+}  // namespace
+
+Format format() {
+  return {"robovie",   "Motions of RobovieMaker and RobovieMaker2: flows of servo poses",
+          kExtensions, {},
+          probe,       read,
+          write};
+}
+
+}  // namespace kinefile::robovie

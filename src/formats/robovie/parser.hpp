@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "formats/robovie/reader.hpp"
+
+namespace kinefile::robovie {
+
+/// Reads a motion file line by line and goes on after faults, so that all of them are told. A line
+/// that cannot be read is a block all the same, so that the numbers of others stay.
+class Parser {
+ public:
+  explicit Parser(const Reader& reader) : reader_(reader), lines_(reader.source.text()) {}
+
+  FlowFile parse();
+
+ private:
+  /// Splits the next line that is not blank; false at the end of the file.
+  bool next_line();
+  /// The keyword of the line; nothing, and an error, if it is none.
+  std::optional<Keyword> keyword();
+  bool parse_format();
+  void parse_axis();
+  void parse_line();
+  void parse_info();
+  void parse_body(Keyword keyword);
+  void parse_word_n_pose();
+  void add_unread();
+  /// Tells of a block that has no body.
+  void end_block();
+
+  Block& add_block();
+  /// Keeps where the settings of the line stand, for further checks, unless it had faults.
+  void keep_places(std::size_t num_errors);
+  BlockBody body(Keyword keyword, const Settings& settings);
+  PoseBlock pose(const Settings& settings);
+  void parse_words_of(const Settings& settings, PoseBlock& pose);
+  void parse_mask(const Settings& settings, PoseBlock& pose);
+  ArithmeticBlock arithmetic(const Settings& settings, bool has_variable);
+  BranchBlock branch(const Settings& settings);
+  /// An arrow as a number, which is held against the number of blocks later.
+  int arrow(const Settings& settings, std::size_t i);
+
+  const Reader& reader_;
+  Lines lines_;
+  Setting setting_;
+  FlowFile file_;
+  std::size_t line_number_ = 0;
+  bool has_blank_before_ = false;  ///< the line
+  bool knows_axis_ = false;        ///< how many words a pose has
+  const char* axis_at_ = nullptr;
+  bool has_info_ = false;  ///< the last block waits for its body
+  const char* info_at_ = nullptr;
+  bool told_few_words_ = false;
+};
+
+}  // namespace kinefile::robovie

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "kinefile/pose_flow.hpp"
+
+namespace kinefile::robovie {
+
+/// How the lines of a file are laid out and encoded.
+struct Layout {
+  std::string encoding = "utf-16le";
+  bool has_bom = true;
+  std::string_view line_end = "\r\n";
+  bool has_blank_lines = true;  ///< before every block
+  bool ends_with_line = true;   ///< the last line ends like all others
+};
+
+/// Keys of what a document's extras keep of a file, beside encoding and line_end.
+namespace extra {
+inline constexpr char kBlankLines[] = "blank_lines";     ///< "blocks" or "none"
+inline constexpr char kLastLineEnd[] = "last_line_end";  ///< "none"; absent: as the others
+}  // namespace extra
+
+/// The two lines before the blocks, with "\n" for line ends.
+std::string header_text(const PoseFlow& flow);
+
+/// The lines of a block.
+std::string block_text(const PoseFlow& flow, const Block& block);
+
+/// What keeps a flow from being written, in words; empty if nothing does.
+std::string why_not_written(const PoseFlow& flow);
+
+}  // namespace kinefile::robovie

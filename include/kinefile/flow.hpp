@@ -13,6 +13,7 @@
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/pose_flow.hpp"
 #include "kinefile/result.hpp"
+#include "kinefile/robot_project.hpp"
 
 namespace kinefile {
 
@@ -46,13 +47,18 @@ struct RunOptions {
   std::uint64_t max_ticks = 216'000;    ///< an hour at 60 ticks a second
 };
 
+/// What a project says of running a flow: the base pose and the sliders that jump.
+RunOptions run_options_of(const RobotProject& project);
+
 /// The block that was entered at a tick.
 struct FlowStep {
   std::uint64_t tick = 0;
   std::size_t block = 0;
+  std::int16_t value = 0;     ///< of arithmetic the result; of a branch block its variable
+  bool takes_branch = false;  ///< left by the branch arrow; of a pose that is WORD_N's break
 };
 
-/// What else happens when a pose begins.
+/// What else happens: when a pose begins, or when variables 62 and 63 change otherwise.
 struct FlowEvent {
   std::uint64_t tick = 0;
   std::size_t block = 0;
@@ -80,8 +86,10 @@ struct FlowRun {
 
 /// Runs a flow tick by tick: always with the same result, and always with an end.
 /// Sliders go to a pose on a line, in whole numbers: from + trunc((to - from) k / n) at tick k of
-/// n. Arithmetic is in 16 bits and wraps around, with a warning (RUN002). \errors RUN001
-/// (InvalidInput) for a division by zero, RUN003 for blocks that go round without a
+/// n. Arithmetic is in 16 bits and wraps around, with a warning (RUN002).
+/// Precondition: arrows lead to blocks or to `kNoBlock`, poses have a word for every slider, and
+/// numbers of variables are below `kNumVariables`.
+/// \errors RUN001 (InvalidInput) for a division by zero, RUN003 for blocks that go round without a
 ///         pose, RUN004 if there is no block to begin with; each at the line of its block
 /// Source: docs/formats/robovie.md, "How a flow runs", which marks what is our inference.
 Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options, Diagnostics& diagnostics);
@@ -101,7 +109,12 @@ struct MirrorPair {
   int sign = -1;
 };
 
-/// The flow in a mirror: poses swap the words of pairs. -32768 becomes 32767, with a note.
+/// The pairs of a project (_PAIR) among a flow's first sliders. Signs are -1, as on the maker's own
+/// robots; the project has no word for them.
+std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t num_sliders);
+
+/// The flow in a mirror: poses swap the words of pairs, and whether the servos of the same numbers
+/// have power. -32768 becomes 32767, with a note.
 /// \errors FLW002 (Usage) if a slider is in two pairs or is none of the flow
 Result<PoseFlow> mirrored_flow(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
                                Diagnostics& diagnostics);

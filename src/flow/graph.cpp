@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "kinefile/flow.hpp"
+
+namespace kinefile {
+namespace {
+
+/// Points for a pixel of the editor, so that its 54 pixels from block to block hold our labels.
+constexpr double kPointsPerPixel = 1.5;
+/// From pose to pose where a format has no places.
+constexpr int kRowHeight = 54;
+
+/// By block: whether a way leads to it.
+std::vector<bool> reachable_blocks(const PoseFlow& flow) {
+  std::vector<bool> is_reached(flow.blocks.size());
+  std::vector<int> open;
+  if (const int first = first_block(flow); first != kNoBlock) open.push_back(first);
+  while (!open.empty()) {
+    const auto block = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (is_reached[block]) continue;
+    is_reached[block] = true;
+    for (const int next : successors(flow, block)) open.push_back(next);
+  }
+  return is_reached;
+}
+
+/// A text between the quotes of DOT, where a backslash would begin an escape.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return out;
+}
+
+std::string text_of(const ArithmeticBlock& sum) {
+  constexpr std::string_view kSigns[] = {":=", "+=", "-=", "*=", "/="};
+  return fmt::format("v{} {} {}{}", sum.variable, kSigns[static_cast<std::size_t>(sum.operation)],
+                     sum.has_variable_operand ? "v" : "", sum.operand);
+}
+
+std::string text_of(const BranchBlock& branch) {
+  constexpr std::string_view kSigns[] = {"undefined", ">=", "<=", "", "=", "!=", "always", "never"};
+  const std::string_view sign = kSigns[static_cast<std::size_t>(branch.condition)];
+  switch (branch.condition) {
+    case Condition::Undefined:
+    case Condition::Always:
+    case Condition::Never:
+      return std::string(sign);
+    case Condition::BitsMatch: {
+      const int mask = branch.detail & 0xff;
+      return fmt::format("v{} & {:#04x} = {:#04x}?", branch.variable, mask,
+                         (branch.detail >> 8) & mask);
+    }
+    default:
+      return fmt::format("v{} {} {}?", branch.variable, sign, branch.detail);
+  }
+}
+
+std::string text_of(const PoseBlock& pose) {
+  std::string text = fmt::format("{} tick{}", pose.ticks, pose.ticks == 1 ? "" : "s");
+  if (!pose.sound.empty()) text += "\\n" + escaped(pose.sound);
+  if (pose.servo_off.any()) text += fmt::format("\\n{} servos off", pose.servo_off.count());
+  return text;
+}
+
+/// What a block does, as a label says it; empty for those whose kind says all.
+std::string deed_of(const Block& block) {
+  if (const auto* pose = std::get_if<PoseBlock>(&block.body)) return text_of(*pose);
+  if (const auto* sum = std::get_if<ArithmeticBlock>(&block.body)) return text_of(*sum);
+  if (const auto* branch = std::get_if<BranchBlock>(&block.body)) return text_of(*branch);
+  return {};
+}
+
+/// How a kind of block is drawn; start, end, pose, loop, arithmetic, branch.
+constexpr std::string_view kLooks[] = {
+    "shape=oval",          "shape=oval, peripheries=2",
+    "shape=box",           "shape=hexagon, style=filled, fillcolor=\"#ffe9b3\"",
+    "shape=parallelogram", "shape=diamond, style=filled, fillcolor=\"#cfe3ff\"",
+};
+static_assert(std::size(kLooks) == std::variant_size_v<BlockBody>);
+
+std::string node_of(const PoseFlow& flow, std::size_t number, bool is_reached) {
+  const Block& block = flow.blocks[number];
+  const bool has_places = flow.format == FlowFormat::V1R4;
+  const double x = has_places ? block.x : 0;
+  const double y = has_places ? block.y : static_cast<double>(number) * kRowHeight;
+  std::string label = fmt::format("{} {}", number, body_name(block));
+  if (!block.name.empty()) label += " " + escaped(block.name);
+  if (const std::string deed = deed_of(block); !deed.empty()) label += "\\n" + deed;
+  if (!is_reached) label += "\\nno way leads here";
+  const bool ends = !has_places && block.normal == kNoBlock;
+  return fmt::format("  b{} [label=\"{}\", pos=\"{},{}!\", {}{}{}];\n", number, label,
+                     x * kPointsPerPixel, -y * kPointsPerPixel, kLooks[block.body.index()],
+                     ends ? ", peripheries=2" : "",
+                     is_reached ? "" : ", color=gray, fontcolor=gray, style=dashed");
+}
+
+/// What the second arrow of a block is called.
+std::string_view branch_name(const Block& block) {
+  if (std::holds_alternative<LoopBlock>(block.body)) return "leave";
+  return std::holds_alternative<BranchBlock>(block.body) ? "branch" : "break";
+}
+
+/// The arrows that can be taken.
+std::string arrows_of(const PoseFlow& flow, std::size_t number) {
+  const Block& block = flow.blocks[number];
+  std::string text;
+  if (std::holds_alternative<EndBlock>(block.body)) return text;
+  if (block.normal != kNoBlock) text += fmt::format("  b{} -> b{};\n", number, block.normal);
+  const bool has_branch = flow.format == FlowFormat::WordN ||
+                          std::holds_alternative<LoopBlock>(block.body) ||
+                          std::holds_alternative<BranchBlock>(block.body);
+  if (has_branch && block.branch != kNoBlock) {
+    text += fmt::format("  b{} -> b{} [style=dashed, label=\"{}\"];\n", number, block.branch,
+                        branch_name(block));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string flow_graph(const PoseFlow& flow) {
+  std::string text =
+      "digraph flow {\n"
+      "  graph [splines=true];\n"
+      "  node [fontname=\"sans-serif\", fontsize=10, height=0.4, margin=\"0.08,0.04\"];\n"
+      "  edge [fontname=\"sans-serif\", fontsize=9];\n";
+  const std::vector<bool> is_reached = reachable_blocks(flow);
+  for (std::size_t b = 0; b < flow.blocks.size(); ++b) text += node_of(flow, b, is_reached[b]);
+  for (std::size_t b = 0; b < flow.blocks.size(); ++b) text += arrows_of(flow, b);
+  return text + "}\n";
+}
+
+}  // namespace kinefile

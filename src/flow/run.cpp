@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "flow/machine.hpp"
+
+namespace kinefile {
+namespace {
+
+using flow::Machine;
+
+/// Notices blocks that go round without a pose, by meeting a state again (Brent's method: the
+/// state that is remembered is renewed after 1, 2, 4, ... steps) or by their number.
+class StandstillGuard {
+ public:
+  explicit StandstillGuard(const Machine& machine) : visits_(machine.visits) {}
+
+  /// Time has passed.
+  void reset() { num_steps_ = 0; }
+
+  /// Whether the machine can go on no longer, about to enter a block without time passing.
+  bool is_stuck(const Machine& machine, std::size_t block) {
+    constexpr std::size_t kMostSteps = 100'000;     // between two poses
+    constexpr std::size_t kMostInAll = 10'000'000;  // with poses of a tick between them
+    if (num_steps_ > 0 && block == block_ && machine.variables == variables_ &&
+        machine.visits == visits_) {
+      return true;
+    }
+    if (num_steps_ == 0 || num_steps_ == renewal_) {
+      renewal_ = num_steps_ == 0 ? 1 : renewal_ * 2;
+      block_ = block;
+      variables_ = machine.variables;
+      std::copy(machine.visits.begin(), machine.visits.end(), visits_.begin());
+    }
+    return ++num_steps_ > kMostSteps || ++num_in_all_ > kMostInAll;
+  }
+
+ private:
+  std::size_t num_steps_ = 0;
+  std::size_t num_in_all_ = 0;
+  std::size_t renewal_ = 1;
+  std::size_t block_ = 0;
+  flow::Variables variables_ = {};
+  std::vector<std::uint64_t> visits_;
+};
+
+bool is_pose(const Machine& machine, std::size_t block) {
+  return std::holds_alternative<PoseBlock>(machine.flow.blocks[block].body);
+}
+
+/// Runs a block that takes no time, and notes in its step which way it goes.
+Result<void> run_at_once(Machine& machine, FlowStep& step) {
+  const BlockBody& body = machine.flow.blocks[step.block].body;
+  if (std::holds_alternative<LoopBlock>(body)) {
+    step.takes_branch = !flow::goes_on(machine, step.block);
+  } else if (const auto* branch = std::get_if<BranchBlock>(&body)) {
+    step.value = machine.variables[static_cast<std::size_t>(branch->variable)];
+    const bool is_true = flow::holds(*branch, step.value);
+    step.takes_branch = is_true == machine.options.true_takes_branch;
+  } else if (const auto* sum = std::get_if<ArithmeticBlock>(&body)) {
+    auto computed = flow::compute(machine, step.block);
+    if (!computed) return computed;
+    step.value = machine.variables[static_cast<std::size_t>(sum->variable)];
+  }
+  return {};
+}
+
+/// Runs a pose. Of WORD_N, one with a break asks when it is finished whether to go on.
+bool run_timed(Machine& machine, FlowStep& step) {
+  if (!flow::run_pose(machine, step.block)) return false;
+  if (machine.flow.format == FlowFormat::WordN &&
+      machine.flow.blocks[step.block].branch != kNoBlock) {
+    step.takes_branch = !flow::goes_on(machine, step.block);
+  }
+  return true;
+}
+
+/// How a flow ends at a block that leads nowhere. Of WORD_N that is its way to end.
+FlowEnd end_at(Machine& machine, const FlowStep& step) {
+  if (machine.flow.format == FlowFormat::WordN) return FlowEnd::EndBlock;
+  flow::warn(machine, Severity::Note, "RUN005", step.block,
+             fmt::format("the flow stops at block {}, whose {} arrow leads nowhere", step.block,
+                         step.takes_branch ? "branch" : "normal"));
+  return FlowEnd::NoArrow;
+}
+
+FlowEnd end_of_time(Machine& machine, const FlowStep& step) {
+  flow::warn(machine, Severity::Warning, "RUN006", step.block,
+             fmt::format("the flow is cut off in block {} after {} ticks, the limit", step.block,
+                         machine.tick));
+  return FlowEnd::MaxTicks;
+}
+
+/// Runs from a block on until the flow ends.
+Result<FlowEnd> run_from(Machine& machine, int first) {
+  StandstillGuard guard(machine);
+  auto number = static_cast<std::size_t>(first);
+  while (true) {
+    const Block& block = machine.flow.blocks[number];
+    FlowStep& step = machine.run.path.emplace_back(FlowStep{machine.tick, number});
+    if (std::holds_alternative<EndBlock>(block.body)) return FlowEnd::EndBlock;
+    if (is_pose(machine, number)) {
+      if (!run_timed(machine, step)) return end_of_time(machine, step);
+      guard.reset();
+    } else if (guard.is_stuck(machine, number)) {
+      return fail(
+          flow::block_error(machine.flow, number, "RUN003",
+                            fmt::format("the flow goes round without a pose at block {}, tick {}",
+                                        number, machine.tick)));
+    } else if (auto done = run_at_once(machine, step); !done) {
+      return fail(std::move(done.error()));
+    }
+    const int next = step.takes_branch ? block.branch : block.normal;
+    if (next == kNoBlock) return end_at(machine, step);
+    number = static_cast<std::size_t>(next);
+  }
+}
+
+}  // namespace
+
+RunOptions run_options_of(const RobotProject& project) {
+  RunOptions options;
+  options.base_pose = base_values(project);
+  for (const Slider& slider : project.sliders) options.jumps.push_back(slider.jumps);
+  return options;
+}
+
+Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options,
+                         Diagnostics& diagnostics) {
+  const int first = first_block(flow);
+  if (first == kNoBlock) {
+    return fail(make_error(ErrorKind::InvalidInput, "RUN004",
+                           flow.format == FlowFormat::WordN
+                               ? "expected a pose to begin with, found none"
+                               : "expected a start block, found none"));
+  }
+  Machine machine = flow::start(flow, options, diagnostics);
+  const auto end = run_from(machine, first);
+  if (!end) return fail(end.error());
+  machine.run.end = *end;
+  machine.run.num_ticks = machine.tick;
+  machine.run.variables = machine.variables;
+  return std::move(machine.run);
+}
+
+}  // namespace kinefile

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bridge/keyframe_search.hpp"
+#include "kinefile/flow.hpp"
 #include "kinefile/servo_motion.hpp"
 
 namespace kinefile {
@@ -166,56 +167,36 @@ Result<Task> task_of(const JointTrajectory& trajectory, const ServoMap& map) {
   return task;
 }
 
-/// The words of a slider at every tick, as a flow runs that goes straight on: `run_flow` for poses.
-std::vector<std::int16_t> played(const PoseFlow& flow, std::size_t slider) {
-  std::vector<std::int16_t> words;
-  for (const Block& block : flow.blocks) {
-    const PoseBlock* pose = std::get_if<PoseBlock>(&block.body);
-    if (pose == nullptr) continue;
-    const std::int16_t to = pose->words[slider].value;
-    if (words.empty()) {  // it leads in, to tick 0
-      words.push_back(to);
-      continue;
-    }
-    const std::int16_t from = words.back();
-    for (int k = 1; k <= pose->ticks; ++k) {
-      words.push_back(static_cast<std::int16_t>(bridging::played_word(from, to, k, pose->ticks)));
-    }
-  }
-  return words;
-}
-
-std::vector<KeyframeError> errors_of(const PoseFlow& flow, const JointTrajectory& trajectory,
-                                     const Task& task) {
+/// How far a flow is from the trajectory, as `run_flow` runs it.
+Result<std::vector<KeyframeError>> errors_of(const PoseFlow& flow,
+                                             const JointTrajectory& trajectory, const Task& task,
+                                             const KeyframeOptions& options) {
+  RunOptions run_options;
+  run_options.jumps.assign(flow.num_sliders, false);  // a servo's sliders do not
+  run_options.max_ticks += kMaxTicks;                 // the lead-in
+  Diagnostics none;
+  const auto run = run_flow(flow, run_options, none);
+  if (!run) return fail(run.error());
   const WordTrack& track = task.track;
+  const auto lead_in = static_cast<std::size_t>(options.lead_in_ticks);
   std::vector<KeyframeError> errors;
   for (std::size_t j = 0; j < track.num_joints; ++j) {
     KeyframeError& error = errors.emplace_back();
     error.joint = trajectory.joints[j];
-    const std::vector<std::int16_t> words = played(flow, task.entries[j]->slider);
     double sum = 0;
-    for (std::size_t tick = 0; tick < words.size(); ++tick) {
-      const double off = std::abs(words[tick] - track.targets[tick * track.num_joints + j]) *
-                         track.degrees_each[j];
+    for (std::size_t tick = 0; tick <= track.last_tick; ++tick) {
+      const std::int16_t word =
+          run->sliders[(lead_in + tick) * run->num_sliders + task.entries[j]->slider];
+      const double off =
+          std::abs(word - track.targets[tick * track.num_joints + j]) * track.degrees_each[j];
       sum += off * off;
       if (off <= error.largest) continue;
       error.largest = off;
       error.largest_seconds = static_cast<double>(tick) * task.tick_seconds;
     }
-    error.rms = std::sqrt(sum / static_cast<double>(words.size()));
+    error.rms = std::sqrt(sum / static_cast<double>(track.last_tick + 1));
   }
   return errors;
-}
-
-/// A block as the editor draws those of a flow that goes straight down.
-Block block_at(std::size_t number, std::string name, BlockBody body) {
-  Block block;
-  block.name = std::move(name);
-  block.x = 50;
-  block.y = number == 0 ? 10 : 46 + 54 * (static_cast<int>(number) - 1);
-  block.normal = static_cast<int>(number) + 1;
-  block.body = std::move(body);
-  return block;
 }
 
 PoseBlock pose_at(const Task& task, std::size_t tick, int ticks, std::size_t num_sliders) {
@@ -228,44 +209,31 @@ PoseBlock pose_at(const Task& task, std::size_t tick, int ticks, std::size_t num
   return pose;
 }
 
+/// Poses one after the other, as WORD_N has them.
 PoseFlow flow_of(const Task& task, const KeyTicks& keys, const ServoMap& map,
                  const KeyframeOptions& options) {
   PoseFlow flow;
-  flow.format = options.format;
+  flow.format = FlowFormat::WordN;
   flow.num_sliders = map.num_sliders;
-  const bool has_blocks = options.format == FlowFormat::V1R4;
-  if (has_blocks) {
-    flow.blocks.push_back(block_at(0, "", StartBlock{}));
-    flow.blocks.back().branch_turn = 0;
-  }
   for (std::size_t i = 0; i < keys.ticks.size(); ++i) {
     const int ticks =
         i == 0 ? options.lead_in_ticks : static_cast<int>(keys.ticks[i] - keys.ticks[i - 1]);
-    PoseBlock pose = pose_at(task, keys.ticks[i], ticks, map.num_sliders);
-    if (has_blocks) {
-      flow.blocks.push_back(block_at(i + 1, fmt::format("POSE {}", i), std::move(pose)));
-    } else {
-      Block& block = flow.blocks.emplace_back();
-      block.normal = i + 1 < keys.ticks.size() ? static_cast<int>(i) + 1 : kNoBlock;
-      block.body = std::move(pose);
-    }
-  }
-  if (has_blocks) {
-    Block& end = flow.blocks.emplace_back(block_at(flow.blocks.size(), "   END   ", EndBlock{}));
-    end.normal = kNoBlock;
-    end.normal_turn = 16;
-    end.branch_turn = 46;
+    Block& block = flow.blocks.emplace_back();
+    block.normal = i + 1 < keys.ticks.size() ? static_cast<int>(i) + 1 : kNoBlock;
+    block.body = pose_at(task, keys.ticks[i], ticks, map.num_sliders);
   }
   return flow;
 }
 
-Keyframes keyframes_of(const JointTrajectory& trajectory, const Task& task, const KeyTicks& keys,
-                       const ServoMap& map, const KeyframeOptions& options) {
-  Keyframes made;
-  made.flow = flow_of(task, keys, map, options);
-  made.ticks = keys.ticks;
-  made.errors = errors_of(made.flow, trajectory, task);
-  return made;
+Result<Keyframes> keyframes_of(const JointTrajectory& trajectory, const Task& task,
+                               const KeyTicks& keys, const ServoMap& map,
+                               const KeyframeOptions& options) {
+  Diagnostics none;
+  auto flow = in_flow_format(flow_of(task, keys, map, options), options.format, none);
+  if (!flow) return fail(std::move(flow.error()));
+  auto errors = errors_of(*flow, trajectory, task, options);
+  if (!errors) return fail(std::move(errors.error()));
+  return Keyframes{std::move(*flow), keys.ticks, std::move(*errors)};
 }
 
 /// A trajectory without what limits cut off, which no poses can give: one joint that is far beyond
@@ -284,9 +252,10 @@ WordTrack within_limits(const Task& task) {
 Error out_of_tolerance(const JointTrajectory& trajectory, const Task& task, const ServoMap& map,
                        const KeyframeOptions& options) {
   const KeyTicks keys = bridging::closest_poses(task.track, task.track.last_tick + 1);
-  const Keyframes closest = keyframes_of(trajectory, task, keys, map, options);
+  const auto closest = keyframes_of(trajectory, task, keys, map, options);
+  if (!closest) return closest.error();
   const auto worst = std::max_element(
-      closest.errors.begin(), closest.errors.end(),
+      closest->errors.begin(), closest->errors.end(),
       [](const KeyframeError& a, const KeyframeError& b) { return a.largest < b.largest; });
   return make_error(
       ErrorKind::InvalidInput, "KEY002",

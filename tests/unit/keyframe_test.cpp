@@ -78,6 +78,7 @@ TEST(Keyframe, TheFlowIsLaidOutAsTheEditorDoes) {
   EXPECT_EQ(blocks[1].name, "POSE 0");
   for (int b = 0; b < 4; ++b) EXPECT_EQ(blocks[static_cast<std::size_t>(b)].normal, b + 1);
   EXPECT_EQ(blocks.back().normal, kNoBlock);
+  EXPECT_TRUE(find_flow_faults(made->flow).empty());
 }
 
 TEST(Keyframe, AsWordNThePosesFollowEachOther) {
@@ -246,6 +247,20 @@ TEST(Keyframe, WhatIsNoTrajectoryIsRefused) {
   JointTrajectory unknown = trajectory_of_degrees({0, 1});
   unknown.joints[0] = "tail";
   EXPECT_EQ(code(unknown), "SVM010");
+}
+
+TEST(Keyframe, TheFlowRunsThroughTheTrajectory) {
+  Diagnostics diagnostics;
+  const ServoMap map = map_of_joints(1);
+  const auto made = keyframe(trajectory_of_degrees(kTent), map,
+                             {.num_poses = {}, .tolerance = 0, .lead_in_ticks = 5}, diagnostics);
+  ASSERT_TRUE(made);
+  const auto run = run_flow(made->flow, {}, diagnostics);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->num_ticks, 5u + 9u);
+  for (std::size_t tick = 0; tick < kTent.size(); ++tick) {
+    EXPECT_EQ(run->sliders[(5 + tick) * run->num_sliders], 100 * kTent[tick]);
+  }
 }
 
 TEST(Keyframe, FewestPosesAsAllSubsetsSay) {

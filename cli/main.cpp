@@ -55,6 +55,8 @@ int run(int argc, char** argv) {
   add_edit(app, globals);
   add_run(app, globals);
   add_graph(app, globals);
+  add_keyframe(app, globals);
+  add_servo_map(app, globals);
   add_formats(app, globals);
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]).starts_with("--generate")) app.require_subcommand(0);

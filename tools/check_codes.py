@@ -14,7 +14,8 @@ CODE = re.compile(r"\b([A-Z]{3}[0-9]{3}|IO[0-9]{3})\b")
 # The folder of each format's codes.
 FOLDERS = {"BVH": "bvh", "ASF": "acclaim", "AMC": "acclaim", "SEQ": "choreonoid",
            "YML": "choreonoid", "BDY": "body", "URD": "urdf", "WRL": "wrl", "CSV": "csv",
-           "HRP": "hrpsys", "RBV": "robovie", "RPJ": "robovie"}
+           "HRP": "hrpsys", "RBV": "robovie", "RPJ": "robovie",
+           "SVM": "servo_map"}
 
 # Codes that no file alone brings about; the tests that show them.
 NOT_BY_A_FILE = {
@@ -30,6 +31,10 @@ NOT_BY_A_FILE = {
     "AMC017": "tests/formats/acclaim/write_test.cpp",  # writing
     "ASF023": "tests/cli/acclaim.md",  # writing
     "ASF020": "tests/formats/acclaim/write_test.cpp",  # writing
+    "SVM010": "tests/unit/unroll_test.cpp",  # a map and a motion
+    "SVM011": "tests/unit/unroll_test.cpp",
+    "SVM013": "tests/cli/keyframe.md",  # a robot project
+    "SVM012": "tests/unit/unroll_test.cpp",
     "URD010": "tests/formats/robots/urdf_test.cpp",  # too large for a file here
     "WRL013": "tests/formats/robots/wrl_test.cpp",
     "BVH034": "tests/formats/bvh/read_test.cpp",   # --positions auto

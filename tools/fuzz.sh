@@ -39,4 +39,5 @@ run_pair seq_read_fuzz choreonoid yaml_differential_fuzz choreonoid
 run_pair body_read_fuzz body urdf_read_fuzz urdf
 run_pair wrl_read_fuzz wrl table_read_fuzz csv
 run_pair robovie_read_fuzz robovie flow_run_fuzz robovie
+run_target servo_map_fuzz servo_map || failed=1
 exit $failed

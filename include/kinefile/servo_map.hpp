@@ -47,7 +47,7 @@ ServoMap servo_map_of(const RobotProject& project);
 Result<ServoMap> parse_servo_map(std::string_view text, const std::string& source_name,
                                  Diagnostics& diagnostics);
 
-/// A map as YAML, which reads the same again.
+/// A map as YAML, which reads the same again; ticks are whole microseconds there.
 std::string to_yaml(const ServoMap& map);
 
 }  // namespace kinefile

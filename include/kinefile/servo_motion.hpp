@@ -27,13 +27,24 @@ struct JointTrajectory {
 Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleton* robot,
                           Diagnostics& diagnostics);
 
+/// The same, of a skeleton whose joints a map names, a robot's or a figure's; all else rests.
+/// \errors SVM010 (Usage) if it has none of them
+Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skeleton& skeleton,
+                             Diagnostics& diagnostics);
+
+/// The joints of a map in its order, each turning on its own, in degrees: for tables of angles.
+Skeleton loose_joints_of(const ServoMap& map);
+
 /// The joints that a map names, out of a motion: by joint or JOINT.CHANNEL, whatever its angle
-/// unit. \errors SVM010 (Usage) if it has none of them; those that are missing are told and rest
+/// unit. Frames with times of their own are interpolated at the map's ticks.
+/// \errors SVM010 (Usage) if it has none of them; those that are missing are told and left out,
+///         so that their sliders stay disabled
 Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
                                       Diagnostics& diagnostics);
 
 /// The joints that a map names, out of joint displacements: joint ids by the robot's joints, or
-/// without a robot in the order of the map's entries.
+/// without a robot in the order of the map's entries. As above otherwise.
+/// \errors BRG010 (Usage) if there are no joint displacements; SVM010
 Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& map,
                                       const Skeleton* robot, Diagnostics& diagnostics);
 
@@ -65,8 +76,15 @@ struct Keyframes {
 /// lines between words, rounded and limited as the map says and as `run_flow` goes, keep closest
 /// to the trajectory at every tick: with `num_poses` the least largest error, with `tolerance` the
 /// fewest poses.
+/// Of several best flows it is one with the fewest poses, and with the least largest error.
+/// The last tick is the one at or after the time of the last frame, which it shows; between frames
+/// the trajectory is a straight line. The word of a pose is that of the trajectory at its tick,
+/// rounded to the map's steps and limited. With `num_poses`, what limits cut off does not count,
+/// since no poses can give it. Sliders of no joint are disabled (0X0000).
 /// \errors KEY001 (Usage) if neither or both are given, or neither can be; KEY002 (InvalidInput)
-///         if words cannot come within the tolerance, with the joint and the time
+///         if words cannot come within the tolerance, with the joint and the time; KEY004
+///         (InvalidInput) for angles that are no numbers; SVM010. Angles beyond the limits of a
+///         joint's words are told (KEY003)
 Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& map,
                            const KeyframeOptions& options, Diagnostics& diagnostics);
 

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "json_output.hpp"
+#include "report.hpp"
+#include "servo.hpp"
+#include "writing.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct Keyframe {
+  std::string file;
+  std::string servo_map;
+  std::string flow_format = "v1r4";
+  bool is_json = false;
+  KeyframeOptions options;
+  Writing writing;
+  Reading reading;
+};
+
+/// The joints of the map, out of a motion, or a body motion and the robot that `--skeleton` names.
+/// \param map  with the names of links
+Result<JointTrajectory> trajectory_in(const Document& document, const ServoMap& map,
+                                      const Document* robot, Diagnostics& diagnostics) {
+  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
+    return trajectory_of(*motion, map, diagnostics);
+  }
+  if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    return trajectory_of(*body, map, robot == nullptr ? nullptr : &skeleton_of(*robot),
+                         diagnostics);
+  }
+  return fail(make_error(
+      ErrorKind::Usage, "CLI001",
+      fmt::format("expected a motion to make poses of, found a {}", kind_name(document))));
+}
+
+double seconds_of(const Keyframes& made, const ServoMap& map) {
+  return static_cast<double>(made.ticks.back()) * map.tick_seconds;
+}
+
+void print_table(const Keyframe& keyframe, const Keyframes& made, const ServoMap& map) {
+  fmt::print(stderr, "{} poses, {:.3f} s after {} ticks of lead-in\n", made.ticks.size(),
+             seconds_of(made, map), keyframe.options.lead_in_ticks);
+  fmt::print(stderr, "{:<24}{:>10}{:>10}{:>10}  degrees\n", "joint", "largest", "at s", "RMS");
+  for (const KeyframeError& error : made.errors) {
+    fmt::print(stderr, "{:<24}{:>10.3f}{:>10.3f}{:>10.3f}\n", error.joint, error.largest,
+               error.largest_seconds, error.rms);
+  }
+}
+
+Json json_of(const Keyframe& keyframe, const Keyframes& made, const ServoMap& map) {
+  Json joints = Json::array();
+  double largest = 0;
+  for (const KeyframeError& error : made.errors) {
+    largest = std::max(largest, error.largest);
+    joints.push_back({{"joint", error.joint},
+                      {"largest_degrees", error.largest},
+                      {"largest_seconds", error.largest_seconds},
+                      {"rms_degrees", error.rms}});
+  }
+  return {{"num_poses", made.ticks.size()},
+          {"lead_in_ticks", keyframe.options.lead_in_ticks},
+          {"ticks", made.ticks},
+          {"duration", seconds_of(made, map)},
+          {"largest_degrees", largest},
+          {"joints", joints}};
+}
+
+Result<Keyframes> make(const Keyframe& keyframe, const Document& document, const ServoMap& map,
+                       Diagnostics& diagnostics) {
+  std::optional<Document> robot;
+  if (std::holds_alternative<BodyMotion>(document.content)) {
+    auto loaded = load_skeleton(keyframe.reading, diagnostics);
+    if (!loaded) return fail(std::move(loaded.error()));
+    robot = std::move(*loaded);
+  }
+  const Document* model = robot ? &*robot : &document;
+  const ServoMap named = has_skeleton(*model) ? with_link_names(map, *model) : map;
+  const auto trajectory = trajectory_in(document, named, robot ? &*robot : nullptr, diagnostics);
+  if (!trajectory) return fail(trajectory.error());
+  return kinefile::keyframe(*trajectory, named, keyframe.options, diagnostics);
+}
+
+int run(const Keyframe& keyframe, const Globals& globals) {
+  const Format* format = output_format(keyframe.writing);
+  if (format == nullptr && keyframe.writing.to.empty()) format = find_format("robovie");
+  if (format == nullptr) return no_output_format(keyframe.writing, globals);
+  if (keyframe.is_json && keyframe.writing.out == "-") {
+    return usage_error(globals, "--json and -o - would both go to standard output");
+  }
+  int exit_code = kDone;
+  const auto document = load(keyframe.file, keyframe.reading, globals, exit_code);
+  if (!document) return exit_code;
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = keyframe.reading.is_strict;
+  const auto finish = [&](const Error& error) {
+    print_diagnostics(stderr, diagnostics, globals);
+    if (!diagnostics.has_errors()) print_error(error, globals);
+    return static_cast<int>(exit_code_of(error));
+  };
+  const auto map = load_servo_map(keyframe.servo_map, diagnostics);
+  if (!map) return finish(map.error());
+  const auto made = make(keyframe, *document, *map, diagnostics);
+  if (!made) return finish(made.error());
+  if (diagnostics.has_errors()) return finish(diagnostics.first_error());
+  Document flow;
+  flow.content = made->flow;
+  auto fitting = in_kind_of(*format, std::move(flow), {}, diagnostics);
+  if (!fitting) return finish(fitting.error());
+  const auto written = write_file(keyframe.writing.out, *fitting, *format, keyframe.writing.format,
+                                  keyframe.writing.may_replace, diagnostics);
+  if (!written) return finish(written.error());
+  print_diagnostics(stderr, diagnostics, globals);
+  if (keyframe.is_json) {
+    print_json(json_of(keyframe, *made, *map));
+  } else if (!globals.is_quiet) {
+    print_table(keyframe, *made, *map);
+  }
+  return kDone;
+}
+
+std::string check_tolerance(const std::string& text) {
+  double tolerance = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, tolerance);
+  return is_number && tolerance >= 0 && std::isfinite(tolerance) ? ""
+                                                                 : "expected degrees from 0 up";
+}
+
+}  // namespace
+
+void add_keyframe(CLI::App& app, Globals& globals) {
+  auto keyframe = std::make_shared<Keyframe>();
+  CLI::App* command =
+      app.add_subcommand("keyframe", "Make a flow of servo poses that follows a motion");
+  command->add_option("MOTION", keyframe->file, "File to read; - is standard input")->required();
+  command
+      ->add_option("--servo-map", keyframe->servo_map,
+                   "A YAML file that says which slider moves which joint, and how")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* poses = command
+                           ->add_option("--poses", keyframe->options.num_poses,
+                                        "At most so many poses, with the least largest error")
+                           ->type_name("N");
+  command
+      ->add_option("--tolerance", keyframe->options.tolerance,
+                   "As few poses as stay within so many degrees of the motion, at every tick")
+      ->check(check_tolerance)
+      ->excludes(poses)
+      ->type_name("DEGREES");
+  command
+      ->add_option("--flow-format", keyframe->flow_format,
+                   "v1r4 (RobovieMaker2) or word_n (RobovieMaker for VS-RC003)")
+      ->check(CLI::IsMember({"v1r4", "word_n"}))
+      ->default_str("v1r4")
+      ->type_name("FORMAT");
+  command
+      ->add_option("--lead-in", keyframe->options.lead_in_ticks,
+                   "Ticks of the first pose, in which the robot comes to the motion's first frame")
+      ->check(CLI::Range(1, kMaxTicks))
+      ->default_str("60")
+      ->type_name("TICKS");
+  command->add_flag("--json", keyframe->is_json, "Print the report as an object");
+  command->add_option("-o,--out", keyframe->writing.out, "File to write; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  add_writing_options(*command, keyframe->writing);
+  add_reading_options(*command, keyframe->reading);
+  command->callback([keyframe, command, &globals] {
+    if (keyframe->flow_format == "word_n") keyframe->options.format = FlowFormat::WordN;
+    // Frames with times are interpolated at the ticks, unless they are to go to a rate's frames.
+    if (command->count("--timed-rounding") == 0) keyframe->reading.keeps_times = true;
+    globals.run = [keyframe, &globals] { return run(*keyframe, globals); };
+  });
+}
+
+}  // namespace kinefile::cli

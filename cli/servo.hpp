@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "command.hpp"
+
+namespace kinefile::cli {
+
+/// Reads the servo map that `--servo-map` names.
+/// \errors IO001, and those of `parse_servo_map`
+Result<ServoMap> load_servo_map(const std::string& path, Diagnostics& diagnostics);
+
+/// The same map for a robot whose links are called otherwise than its joints: entries that name a
+/// joint name its link.
+ServoMap with_link_names(ServoMap map, const Document& robot);
+
+/// What a robot did, as a format has it: a body motion for .seq and where a robot is to become a
+/// figure; else a motion, of the skeleton, or without one of the map's joints alone, in degrees.
+/// \param skeleton  a robot or a figure whose joints the map names; may be null
+/// \errors CLI001 (Usage) if the format needs a skeleton; SVM010
+Result<Document> document_of_run(const FlowRun& run, const ServoMap& map, const Document* skeleton,
+                                 const Format& format, Diagnostics& diagnostics);
+
+}  // namespace kinefile::cli

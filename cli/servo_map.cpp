@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "report.hpp"
+#include "servo.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+struct MakeServoMap {
+  std::string file;
+  std::string out = "-";
+  bool may_replace = false;
+};
+
+Result<ServoMap> map_of_project(const MakeServoMap& make, Diagnostics& diagnostics) {
+  const auto bytes = FileBytes::open(make.file);
+  if (!bytes) return fail(bytes.error());
+  ReadOptions options;
+  options.source_name = make.file == "-" ? "<stdin>" : make.file;
+  options.companions = files_beside(make.file);
+  const auto project = read_project(bytes->view(), options, diagnostics);
+  if (!project) return fail(project.error());
+  ServoMap map = servo_map_of(*project);
+  if (!map.entries.empty()) return map;
+  return fail(make_error(ErrorKind::InvalidInput, "SVM013",
+                         "expected sliders that are shown in degrees and that servos follow, found "
+                         "none",
+                         make.file));
+}
+
+Result<void> write(const MakeServoMap& make, const ServoMap& map) {
+  auto file = OutputFile::create(make.out, make.may_replace);
+  if (!file) return fail(file.error());
+  file->write(to_yaml(map));
+  return file->commit();
+}
+
+int run(const MakeServoMap& make, const Globals& globals) {
+  Diagnostics diagnostics;
+  const auto map = map_of_project(make, diagnostics);
+  print_diagnostics(stderr, diagnostics, globals);
+  const auto written = map ? write(make, *map) : Result<void>(fail(map.error()));
+  if (written) return kDone;
+  if (!diagnostics.has_errors()) print_error(written.error(), globals);
+  return exit_code_of(written.error());
+}
+
+}  // namespace
+
+void add_servo_map(CLI::App& app, Globals& globals) {
+  auto make = std::make_shared<MakeServoMap>();
+  CLI::App* command =
+      app.add_subcommand("servo-map", "Make a servo map (YAML) of a RobovieMaker robot project");
+  command->add_option("PROJECT", make->file, "The project, a .rpj file")->required();
+  command->add_option("-o,--out", make->out, "File to write; else standard output")
+      ->type_name("OUT");
+  command->add_flag("--force", make->may_replace, "Replace an existing file");
+  command->callback(
+      [make, &globals] { globals.run = [make, &globals] { return run(*make, globals); }; });
+}
+
+}  // namespace kinefile::cli

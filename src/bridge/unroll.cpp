@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// What a robot did, as angles of joints, and angles of joints as a servo map names them.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/words.hpp"
+#include "bridge/angles.hpp"
+#include "bridge/keyframe_search.hpp"
+#include "kinefile/body_bridge.hpp"
+#include "kinefile/servo_motion.hpp"
+
+namespace kinefile {
+namespace bridging {
+
+std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::string& name) {
+  const double radians = radians_per(skeleton.angle_unit);
+  const std::vector<std::string> columns = column_names(skeleton);
+  for (const Joint& joint : skeleton.joints) {
+    if (joint.dofs.size() == 1 && joint.dofs[0].kind == DofKind::Rotation && joint.name == name) {
+      return AngleColumn{joint.dofs[0].coordinate, radians};
+    }
+  }
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Rotation && columns[dof.coordinate] == name) {
+        return AngleColumn{dof.coordinate, radians};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace bridging
+
+namespace {
+
+constexpr std::size_t kRootColumns = 7;
+
+/// A joint of a map and where its angle stands in a row.
+struct MappedAngle {
+  std::size_t entry = 0;
+  std::size_t column = 0;
+  double radians = 1;  ///< in a unit of the row
+};
+
+Error no_joints(std::string_view where) {
+  return make_error(ErrorKind::Usage, "SVM010",
+                    fmt::format("expected joints of the servo map in the {}, found none that turns "
+                                "about one axis, or JOINT.CHANNEL that does",
+                                where));
+}
+
+/// The joints of a map that a row has; the others are told.
+template <class Find>
+Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& find,
+                                               std::string_view where, Diagnostics& diagnostics) {
+  std::vector<MappedAngle> angles;
+  std::vector<std::string> missing;
+  for (std::size_t e = 0; e < map.entries.size(); ++e) {
+    const std::optional<bridging::AngleColumn> found = find(e);
+    if (found) {
+      angles.push_back({e, found->column, found->radians});
+    } else {
+      missing.push_back(map.entries[e].joint);
+    }
+  }
+  if (angles.empty()) return fail(no_joints(where));
+  if (!missing.empty()) {
+    diagnostics.add(Severity::Warning, "SVM011",
+                    fmt::format("joints of the servo map that the {} does not have, or not as one "
+                                "angle, are left out: {}",
+                                where, listed(missing)));
+  }
+  return angles;
+}
+
+/// Where the angles of a skeleton's joints stand in its clip's rows.
+Result<std::vector<MappedAngle>> angles_in(const Skeleton& skeleton, const ServoMap& map,
+                                           std::string_view where, Diagnostics& diagnostics) {
+  const auto find = [&](std::size_t e) {
+    return bridging::find_angle(skeleton, map.entries[e].joint);
+  };
+  return mapped_angles(map, find, where, diagnostics);
+}
+
+/// Where joints stand among displacements: by a robot's columns behind its root's, or in the order
+/// of the map.
+Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* robot,
+                                           std::size_t num_parts, Diagnostics& diagnostics) {
+  using Found = std::optional<bridging::AngleColumn>;
+  const auto find = [&](std::size_t e) {
+    if (robot == nullptr) return e < num_parts ? Found({e, 1.0}) : Found();
+    Found found = bridging::find_angle(*robot, map.entries[e].joint);
+    if (!found || found->column < kRootColumns) return Found();
+    found->column -= kRootColumns;
+    return found->column < num_parts ? found : Found();
+  };
+  return mapped_angles(map, find, "motion of the robot", diagnostics);
+}
+
+Result<void> expect_robot(const Skeleton* robot) {
+  if (robot == nullptr || is_robot(*robot)) return {};
+  return fail(make_error(ErrorKind::Usage, "BRG012",
+                         "expected the skeleton of a robot, whose root moves freely and whose "
+                         "joints move in one way each"));
+}
+
+double angle_at(const FlowRun& run, std::size_t tick, const ServoMapEntry& entry) {
+  if (entry.slider >= run.num_sliders) return angle_of_word(entry, 0);
+  return angle_of_word(entry, run.sliders[tick * run.num_sliders + entry.slider]);
+}
+
+Timeline timeline_of(const ServoMap& map) {
+  Timeline timeline;
+  timeline.given = Timeline::Given::FrameRate;
+  timeline.value = map.tick_seconds == 1.0 / 60 ? 60 : 1 / map.tick_seconds;
+  return timeline;
+}
+
+/// The rows of a run: a row at rest, with the joints' angles put in.
+std::vector<double> rows_of(const FlowRun& run, const ServoMap& map,
+                            const std::vector<double>& rest,
+                            const std::vector<MappedAngle>& angles) {
+  std::vector<double> values;
+  values.reserve((run.num_ticks + 1) * rest.size());
+  for (std::size_t tick = 0; tick <= run.num_ticks; ++tick) {
+    const std::size_t first = values.size();
+    values.insert(values.end(), rest.begin(), rest.end());
+    for (const MappedAngle& angle : angles) {
+      values[first + angle.column] = angle_at(run, tick, map.entries[angle.entry]) / angle.radians;
+    }
+  }
+  return values;
+}
+
+/// Rows of numbers over time, of which a trajectory takes some columns.
+struct Rows {
+  const std::vector<double>& values;
+  std::size_t num_frames;
+  std::size_t row_size;
+  const Timeline& timeline;
+};
+
+/// The frame before a time and how far it is to the next one, among frames with times of their own.
+std::pair<std::size_t, double> frame_at(const std::vector<double>& times, double seconds) {
+  const auto next = std::upper_bound(times.begin(), times.end(), seconds);
+  if (next == times.begin()) return {0, 0};
+  const auto before = static_cast<std::size_t>(next - times.begin()) - 1;
+  if (next == times.end()) return {before, 0};
+  return {before, (seconds - times[before]) / (*next - times[before])};
+}
+
+Result<JointTrajectory> trajectory_of_rows(const Rows& rows, const ServoMap& map,
+                                           const std::vector<MappedAngle>& angles) {
+  JointTrajectory trajectory;
+  for (const MappedAngle& angle : angles) {
+    trajectory.joints.push_back(map.entries[angle.entry].joint);
+  }
+  const auto value = [&](std::size_t frame, const MappedAngle& angle) {
+    return rows.values[frame * rows.row_size + angle.column] * angle.radians;
+  };
+  const std::vector<double>& times = rows.timeline.times;
+  if (times.empty()) {
+    trajectory.num_frames = rows.num_frames;
+    trajectory.frame_time = 1 / nominal_frame_rate(rows.timeline);
+    for (std::size_t f = 0; f < rows.num_frames; ++f) {
+      for (const MappedAngle& angle : angles) trajectory.angles.push_back(value(f, angle));
+    }
+    return trajectory;
+  }
+  const auto num_ticks = bridging::num_ticks_of(times.back() - times.front(), map.tick_seconds);
+  if (!num_ticks) return fail(num_ticks.error());
+  trajectory.frame_time = map.tick_seconds;
+  trajectory.num_frames = *num_ticks + 1;
+  for (std::size_t tick = 0; tick < trajectory.num_frames; ++tick) {
+    const auto [frame, share] =
+        frame_at(times, times.front() + static_cast<double>(tick) * map.tick_seconds);
+    for (const MappedAngle& angle : angles) {
+      const double from = value(frame, angle);
+      trajectory.angles.push_back(share == 0 ? from
+                                             : from + (value(frame + 1, angle) - from) * share);
+    }
+  }
+  return trajectory;
+}
+
+}  // namespace
+
+Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleton* robot,
+                          Diagnostics& diagnostics) {
+  if (const auto is_good = expect_robot(robot); !is_good) return fail(is_good.error());
+  std::vector<double> rest(map.entries.size(), 0);
+  if (robot != nullptr) {
+    rest = rest_coordinates(*robot);
+    rest.erase(rest.begin(), rest.begin() + kRootColumns);
+  }
+  const auto angles = displaced(map, robot, rest.size(), diagnostics);
+  if (!angles) return fail(angles.error());
+  BodyMotion motion;
+  Component& component = motion.components.emplace_back();
+  component.kind = ComponentKind::Values;
+  component.content = kJointDisplacement;
+  component.num_parts = rest.size();
+  component.num_frames = run.num_ticks + 1;
+  component.timeline = timeline_of(map);
+  component.values = rows_of(run, map, rest, *angles);
+  return motion;
+}
+
+Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skeleton& skeleton,
+                             Diagnostics& diagnostics) {
+  const auto angles = angles_in(skeleton, map, "skeleton", diagnostics);
+  if (!angles) return fail(angles.error());
+  Motion motion{skeleton, {}};
+  motion.clip.num_frames = run.num_ticks + 1;
+  motion.clip.num_coordinates = skeleton.coordinates.size();
+  motion.clip.timeline = timeline_of(map);
+  motion.clip.values = rows_of(run, map, rest_coordinates(skeleton), *angles);
+  return motion;
+}
+
+Skeleton loose_joints_of(const ServoMap& map) {
+  Skeleton skeleton;
+  for (const ServoMapEntry& entry : map.entries) {
+    const std::size_t index = skeleton.joints.size();
+    Joint& joint = skeleton.joints.emplace_back();
+    joint.name = entry.joint;
+    joint.dofs.push_back({DofKind::Rotation, Vec3::UnitX(), index, 0});
+    skeleton.coordinates.push_back({index, "q"});
+  }
+  return skeleton;
+}
+
+Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
+                                      Diagnostics& diagnostics) {
+  const auto angles = angles_in(motion.skeleton, map, "motion", diagnostics);
+  if (!angles) return fail(angles.error());
+  const Clip& clip = motion.clip;
+  return trajectory_of_rows({clip.values, clip.num_frames, clip.num_coordinates, clip.timeline},
+                            map, *angles);
+}
+
+Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& map,
+                                      const Skeleton* robot, Diagnostics& diagnostics) {
+  if (const auto is_good = expect_robot(robot); !is_good) return fail(is_good.error());
+  const Component* joints = find_component(motion, ComponentKind::Values, kJointDisplacement);
+  if (joints == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "BRG010",
+                           "expected displacements of joints (JointDisplacement), found none"));
+  }
+  const auto angles = displaced(map, robot, joints->num_parts, diagnostics);
+  if (!angles) return fail(angles.error());
+  if (robot == nullptr && joints->num_parts != map.entries.size()) {
+    diagnostics.add(Severity::Warning, "SVM012",
+                    fmt::format("expected {} joints, as the servo map has, found {}; without "
+                                "--skeleton they are taken in its order",
+                                map.entries.size(), joints->num_parts));
+  }
+  return trajectory_of_rows(
+      {joints->values, joints->num_frames, joints->num_parts, joints->timeline}, map, *angles);
+}
+
+}  // namespace kinefile

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/servo_map.hpp"
+
+#include "kinefile/math.hpp"
+
+namespace kinefile {
+
+double angle_of_word(const ServoMapEntry& entry, double word) {
+  return entry.sign * (word - entry.offset) / entry.units_per_degree * kRadiansPerDegree;
+}
+
+double word_of_angle(const ServoMapEntry& entry, double angle) {
+  return entry.offset + entry.sign * entry.units_per_degree * (angle / kRadiansPerDegree);
+}
+
+}  // namespace kinefile

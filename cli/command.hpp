@@ -40,6 +40,8 @@ struct Reading {
   /// What `project` names, once it has been read; see `load_project`.
   mutable std::shared_ptr<const RobotProject> loaded_project;
   std::optional<double> max_speed;  ///< of sliders, in units a tick
+  bool in_degrees = false;          ///< of a flow's table: numbers are degrees, by the project
+  bool is_relative = false;         ///< ... from the base pose on
   std::string timed_rounding = "ceil";
   bool keeps_times = false;
   std::optional<double> fps;

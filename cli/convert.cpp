@@ -32,12 +32,18 @@ int run(Convert& convert, const Globals& globals) {
   if (format->name == "robovie") {  // whose encoding is told by its bytes
     convert.writing.format.encoding = std::exchange(convert.reading.encoding, {});
   }
+  if (convert.reading.in_degrees && convert.reading.project.empty()) {
+    return usage_error(globals, "--degrees needs --project, which says what words mean");
+  }
   int exit_code = kDone;
   auto document = load(convert.in, convert.reading, globals, exit_code);
   if (!document) return exit_code;
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = convert.reading.is_strict;
   convert.writing.channels = channels_of(convert);
+  convert.writing.format.project = convert.reading.loaded_project;
+  convert.writing.format.in_degrees = convert.reading.in_degrees;
+  convert.writing.format.is_relative = convert.reading.is_relative;
   if (convert.style == "json") convert.writing.format.style = YamlStyle::Json;
   if (convert.style == "yaml") convert.writing.format.style = YamlStyle::Block;
   return write_document({}, std::move(*document), *format, convert.writing, convert.in,
@@ -109,6 +115,10 @@ void add_convert(CLI::App& app, Globals& globals) {
       ->type_name("STYLE");
   command->add_flag("--choreonoid-digits", convert->writing.format.choreonoid_digits,
                     "Nine significant digits in a .seq output, as Choreonoid writes");
+  auto* degrees = command->add_flag("--degrees", convert->reading.in_degrees,
+                                    "Words of a flow's table are degrees, by --project");
+  command->add_flag("--relative", convert->reading.is_relative, "Degrees from the base pose on")
+      ->needs(degrees);
   add_writing_options(*command, convert->writing);
   add_reading_options(*command, convert->reading);
   command->callback([convert, &globals] {

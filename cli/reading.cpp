@@ -123,6 +123,8 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   if (!project) return fail(std::move(project.error()));
   options.project = std::move(*project);
   options.max_speed = reading.max_speed;
+  options.in_degrees = reading.in_degrees;
+  options.is_relative = reading.is_relative;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   return read_file(path, format, options, diagnostics);
 }

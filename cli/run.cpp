@@ -8,6 +8,8 @@
 #include "report.hpp"
 #include "run_inputs.hpp"
 #include "run_output.hpp"
+#include "servo.hpp"
+#include "writing.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -17,8 +19,8 @@ constexpr double kMostTicks = 10'000'000;
 
 struct Run {
   std::string file;
-  std::string out = "-";
   std::string inputs;
+  std::string servo_map;
   std::vector<std::string> variables;
   std::string disabled = "base";
   std::string mif_true = "branch";
@@ -31,14 +33,24 @@ struct Run {
   bool is_trace = false;
   bool in_degrees = false;
   bool is_relative = false;
-  bool may_replace = false;
+  Writing writing;
   Reading reading;
 };
 
-/// How long a tick is: 1/60 s, or what the project or `--tick-us` says.
-double tick_seconds_of(const Run& run, const RobotProject* project) {
+/// What a flow did, and what tells what that means.
+struct Execution {
+  FlowRun run;
+  RunOptions options;
+  double tick_seconds = 1.0 / 60;
+  std::shared_ptr<const RobotProject> project;
+  std::optional<ServoMap> map;
+};
+
+/// How long a tick is: 1/60 s, or what the servo map, the project or `--tick-us` says.
+double tick_seconds_of(const Run& run, const Execution& execution) {
   if (run.tick_us) return *run.tick_us == 16667 ? 1.0 / 60 : *run.tick_us * 1e-6;
-  return project != nullptr ? project->tick_seconds : 1.0 / 60;
+  if (execution.project != nullptr) return execution.project->tick_seconds;
+  return execution.map ? execution.map->tick_seconds : 1.0 / 60;
 }
 
 /// How many ticks begin within some seconds.
@@ -54,8 +66,11 @@ Result<std::vector<FlowInput>> load_inputs(const std::string& path) {
   return parse_inputs(bytes->view(), path);
 }
 
-Result<RunOptions> options_of(const Run& run, const RobotProject* project, double tick_seconds) {
-  RunOptions options = project != nullptr ? run_options_of(*project) : RunOptions{};
+Result<RunOptions> options_of(const Run& run, const Execution& execution) {
+  RunOptions options;
+  if (execution.map) options.base_pose = execution.map->base_pose;
+  if (execution.project != nullptr) options = run_options_of(*execution.project);
+  const double tick_seconds = execution.tick_seconds;
   options.num_loops = run.num_loops;
   if (run.hold_seconds) options.hold_ticks = ticks_within(*run.hold_seconds, tick_seconds);
   for (const std::string& word : run.variables) {
@@ -87,45 +102,88 @@ Diagnostics named(const Diagnostics& noticed, const Run& run) {
   return diagnostics;
 }
 
+/// The format of the output: CSV on standard output, else what its name shows.
+const Format* format_of(const Run& run) {
+  const bool is_plain = run.writing.out == "-" && run.writing.to.empty();
+  return is_plain ? find_format("csv") : output_format(run.writing);
+}
+
 /// What is wrong with what was asked for; empty if nothing is.
 std::string misuse(const Run& run) {
   if (run.in_degrees && run.reading.project.empty()) {
     return "--degrees needs --project, which says what words mean";
   }
   if (run.is_relative && !run.in_degrees) return "--relative needs --degrees";
-  // Here a motion (.seq, .bvh) is to be made of the run, once there is a servo map.
-  const Format* format = run.out == "-" ? nullptr : format_of_name(run.out);
-  if (format != nullptr && format->name != "csv" && !run.is_trace) {
-    return fmt::format("'{}' shows no format that a run is written in; that is CSV", run.out);
+  if (run.is_trace) return {};
+  const Format* format = format_of(run);
+  if (format == nullptr) {
+    return fmt::format("'{}' shows no format by its name; --to names it", run.writing.out);
+  }
+  if (format->name != "csv" && run.servo_map.empty()) {
+    return fmt::format(
+        "{} needs --servo-map, which says what words mean to joints; without it a "
+        "run is written as CSV",
+        format->name);
   }
   return {};
 }
 
-Result<void> write(const Run& run, const PoseFlow& flow, const RunOptions& options,
-                   const RunTable& table) {
-  auto file = OutputFile::create(run.out, run.may_replace);
+/// Runs a flow.
+Result<Execution> execute(const Run& run, const PoseFlow& flow, Diagnostics& diagnostics) {
+  Execution execution;
+  auto project = load_project(run.reading, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  execution.project = std::move(*project);
+  if (!run.servo_map.empty()) {
+    auto map = load_servo_map(run.servo_map, diagnostics);
+    if (!map) return fail(std::move(map.error()));
+    execution.map = std::move(*map);
+  }
+  execution.tick_seconds = tick_seconds_of(run, execution);
+  auto options = options_of(run, execution);
+  if (!options) return fail(std::move(options.error()));
+  execution.options = std::move(*options);
+  auto done = run_flow(flow, execution.options, diagnostics);
+  if (!done) return fail(std::move(done.error()));
+  execution.run = std::move(*done);
+  return execution;
+}
+
+/// Writes what the sliders did, or the way of the flow.
+Result<void> write_sliders(const Run& run, const PoseFlow& flow, const Execution& execution) {
+  auto file = OutputFile::create(run.writing.out, run.writing.may_replace);
   if (!file) return fail(file.error());
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (run.is_trace) {
-    sink(trace_of(flow, table.run, options, table.tick_seconds));
+    sink(trace_of(flow, execution.run, execution.options, execution.tick_seconds));
   } else {
-    write_run_csv(table, sink);
+    write_run_csv({execution.run, execution.tick_seconds,
+                   run.in_degrees ? execution.project.get() : nullptr, run.is_relative},
+                  sink);
   }
   return file->commit();
 }
 
-/// Runs a flow and writes what it did.
-Result<void> execute(const Run& run, const PoseFlow& flow, Diagnostics& diagnostics) {
-  const auto project = load_project(run.reading, diagnostics);
-  if (!project) return fail(project.error());
-  const double tick_seconds = tick_seconds_of(run, project->get());
-  const auto options = options_of(run, project->get(), tick_seconds);
-  if (!options) return fail(options.error());
-  const auto done = run_flow(flow, *options, diagnostics);
-  if (!done) return fail(done.error());
-  const RunTable table = {*done, tick_seconds, run.in_degrees ? project->get() : nullptr,
-                          run.is_relative};
-  return write(run, flow, *options, table);
+/// What the joints did, by the servo map, on the robot or figure that `--skeleton` names.
+Result<Document> motion_of(const Run& run, const Execution& execution, const Format& format,
+                           Diagnostics& diagnostics) {
+  ServoMap map = *execution.map;
+  map.tick_seconds = execution.tick_seconds;
+  const auto skeleton = load_skeleton(run.reading, diagnostics);
+  if (!skeleton) return fail(skeleton.error());
+  return document_of_run(execution.run, map, *skeleton ? &**skeleton : nullptr, format,
+                         diagnostics);
+}
+
+/// Tells what was noticed and what ended the command, if something did. Returns the exit code.
+int report_run(const Run& run, const Diagnostics& noticed, Result<void> done,
+               const Globals& globals) {
+  const Diagnostics diagnostics = named(noticed, run);
+  print_diagnostics(stderr, diagnostics, globals);
+  if (done) return diagnostics.has_errors() ? kInvalid : kDone;
+  if (done.error().place.source.empty()) done.error().place.source = run.file;
+  if (!diagnostics.has_errors()) print_error(done.error(), globals);
+  return exit_code_of(done.error());
 }
 
 int run_command(const Run& run, const Globals& globals) {
@@ -134,15 +192,17 @@ int run_command(const Run& run, const Globals& globals) {
   const auto flow = load_flow(run.file, run.reading, globals, exit_code);
   if (!flow) return exit_code;
   Diagnostics noticed;
-  auto done = execute(run, *flow, noticed);
-  const Diagnostics diagnostics = named(noticed, run);
-  print_diagnostics(stderr, diagnostics, globals);
-  if (!done) {
-    if (done.error().place.source.empty()) done.error().place.source = run.file;
-    if (!diagnostics.has_errors()) print_error(done.error(), globals);
-    return exit_code_of(done.error());
+  const auto execution = execute(run, *flow, noticed);
+  if (!execution) return report_run(run, noticed, fail(execution.error()), globals);
+  if (run.is_trace || !execution->map) {
+    return report_run(run, noticed, write_sliders(run, *flow, *execution), globals);
   }
-  return diagnostics.has_errors() ? kInvalid : kDone;
+  const Format& format = *format_of(run);
+  auto document = motion_of(run, *execution, format, noticed);
+  if (!document) return report_run(run, noticed, fail(document.error()), globals);
+  Diagnostics diagnostics = named(noticed, run);
+  return write_document({}, std::move(*document), format, run.writing, run.file, run.reading,
+                        diagnostics, globals);
 }
 
 std::string check_variable_value(const std::string& text) {
@@ -211,8 +271,15 @@ void add_run(CLI::App& app, Globals& globals) {
   CLI::App* command =
       app.add_subcommand("run", "Run a flow of servo poses tick by tick, as its robot would");
   command->add_option("FLOW", run->file, "File to read; - is standard input")->required();
-  command->add_option("-o,--out", run->out, "CSV to write; else standard output")->type_name("OUT");
-  command->add_flag("--force", run->may_replace, "Replace an existing file");
+  run->writing.out = "-";
+  command->add_option("-o,--out", run->writing.out, "File to write; else standard output, as CSV")
+      ->type_name("OUT");
+  command
+      ->add_option("--servo-map", run->servo_map,
+                   "A YAML file that says what words mean to joints; then what the joints did is "
+                   "written (.seq, .csv; with --skeleton .bvh, too)")
+      ->type_name("FILE");
+  add_writing_options(*command, run->writing);
   command->add_flag("--trace", run->is_trace, "Print the way that the flow took instead");
   command->add_flag("--degrees", run->in_degrees,
                     "Sliders in degrees under their names, where the project has them");

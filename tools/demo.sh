@@ -68,6 +68,20 @@ run fk bow_50.seq --skeleton robot.body --frames 40:41 --joints PELVIS,LEG_L_ANK
 run fk bow_50.seq --skeleton robot.urdf --frames 40:41 --joints PELVIS,LEG_L_ANKLE_R,HEAD_P
 run convert bow_50.seq bow.bvh --skeleton robot.body --quiet --force
 
+say "A hobby robot waves: its RobovieMaker motion is a program with a loop"
+cp -f "$examples/wave.txt" "$examples/servos.yaml" .
+run info wave.txt
+run check wave.txt
+run run wave.txt --loops 2 --trace
+run run wave.txt --loops 2 --servo-map servos.yaml --skeleton robot.body -o wave.seq --force
+run info wave.seq
+
+say "The bow as a motion of servo poses: the eight that come closest to it, and how it plays back"
+run keyframe bow_50.seq --servo-map servos.yaml --skeleton robot.body --poses 8 -o bow.txt --force
+run check bow.txt
+run run bow.txt --servo-map servos.yaml --skeleton robot.body -o bow_played.bvh --quiet --force
+run info bow_played.bvh
+
 say "A file that was cut off is told with its place"
 head -c 20000 walk.bvh >cut.bvh
 run check cut.bvh || echo "(exit code $?)"

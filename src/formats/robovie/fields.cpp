@@ -34,13 +34,6 @@ void tell_fault(const Reader& reader, const Setting& line) {
   reader.error(is_wide ? code::kFullWidth : code::kPunctuation, std::move(message), line.fault);
 }
 
-/// The value of a hexadecimal digit, or -1.
-int digit_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 }  // namespace
 
 void Reader::repair(const char* code, std::string message, std::string_view done,

@@ -124,13 +124,13 @@ Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_
 }
 
 /// Prints what is wrong with a file, or adds it to the array for JSON.
-void report(const std::string& path, const Diagnostics& diagnostics, const Check& check,
+void report(const InputFile& file, const Diagnostics& diagnostics, const Check& check,
             const Globals& globals, Json& all) {
   if (check.is_json) {
     for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));
   } else {
     print_diagnostics(stdout, diagnostics, globals);
-    print_summary(path, diagnostics, globals);
+    if (file.is_known) print_summary(file.path, diagnostics, globals);
   }
 }
 
@@ -143,12 +143,12 @@ int run(const Check& check, const Globals& globals) {
     const auto project = load_project(check.reading, diagnostics);
     if (!project) exit_code = worse(exit_code, exit_code_of(project.error()));
     if (!project && !diagnostics.has_errors()) diagnostics.add(project.error());
-    report(check.reading.project, diagnostics, check, globals, all);
+    report({check.reading.project}, diagnostics, check, globals, all);
   }
   if (exit_code == kDone) {
     for (const InputFile& file : with_files_of_folders(check.files)) {
       const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
-      report(file.path, diagnostics, check, globals, all);
+      report(file, diagnostics, check, globals, all);
     }
   }
   if (check.is_json) print_json(all);

@@ -29,6 +29,12 @@ std::string check_unit(const std::string& text) {
   return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
 }
 
+std::string check_speed(const std::string& text) {
+  double speed = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, speed);
+  return is_number && speed > 0 && speed < 1e9 ? "" : "expected units a tick above 0";
+}
+
 std::vector<std::string> readable_formats() {
   std::vector<std::string> names;
   for (const Format& format : formats()) {
@@ -61,7 +67,7 @@ void add_reading_options(CLI::App& command, Reading& reading) {
   command
       .add_option("--max-speed", reading.max_speed,
                   "Warn of sliders of a flow that go further than so many units in a tick")
-      ->check(CLI::PositiveNumber)
+      ->check(check_speed)
       ->type_name("UNITS");
   command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
       ->check(check_rate)

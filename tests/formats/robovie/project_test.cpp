@@ -103,9 +103,9 @@ TEST(RobotProjectReader, TakesOtherClocksAsTheyAre) {
 TEST(RobotProjectReader, FaultsHaveTheirWords) {
   EXPECT_EQ(text_of(read_small(small_project(), "HIERARCHY\n").diagnostics),
             "robot.rpj:1:1: error[RPJ001]: expected a robot project (MODELNAME:, SLDINI:), found "
-            "none\n    HIERARCHY\n    ^\n");
-  EXPECT_EQ(text_of(read_small(small_project(), "MODELNAME:[[a]]\n").diagnostics).substr(0, 77),
-            "robot.rpj:1:1: error[RPJ002]: expected SLDINI:, found none\n    MODELNAME:[[a");
+            "none\n  HIERARCHY\n  ^\n");
+  EXPECT_EQ(text_of(read_small(small_project(), "MODELNAME:[[a]]\n").diagnostics).substr(0, 59),
+            "robot.rpj:1:1: error[RPJ002]: expected SLDINI:, found none\n");
   Files without = small_project();
   without.erase("sld.ini");
   EXPECT_EQ(codes_of(read_small(without).diagnostics), std::vector<std::string>{"RPJ002"});
@@ -121,20 +121,20 @@ TEST(RobotProjectReader, FaultsHaveTheirWords) {
   }
   EXPECT_EQ(words_about("sld.ini", "_DIVISION:[0]-[100]-[1]", "_DIVISION:[0]-[100]"),
             "sld.ini:21:1: warning[RPJ004]: expected 3 settings after _DIVISION:, found 2; the "
-            "line is passed over\n    _DIVISION:[0]-[100]\n    ^\n");
+            "line is passed over\n  _DIVISION:[0]-[100]\n  ^\n");
   EXPECT_EQ(words_about("rom.ini", "[16667]", "[fast]"),
             "rom.ini:2:15: warning[RPJ005]: expected a whole number from 1 to 10000000, found "
-            "'fast'; it is passed over\n    MASTER_CLOCK:[fast]\n                  ^\n");
+            "'fast'; it is passed over\n  MASTER_CLOCK:[fast]\n                ^\n");
   EXPECT_EQ(words_about("pos.ini", "NUM:[1]", "NUM:[2]").substr(0, 36),
             "pos.ini:1:1: warning[RPJ005]: expect");
   EXPECT_EQ(words_about("sld.ini", "_PAIR:[2]-[0]", "_PAIR:[2]-[3]"),
             "sld.ini:1:1: warning[RPJ006]: expected slider 0 and its partner to name each other, "
-            "found 1\n    _CENTER_BAR:[0.5]-[0]\n    ^\n"
+            "found 1\n  _CENTER_BAR:[0.5]-[0]\n  ^\n"
             "sld.ini:1:1: warning[RPJ006]: expected slider 1 and its partner to name each other, "
-            "found 3\n    _CENTER_BAR:[0.5]-[0]\n    ^\n");
+            "found 3\n  _CENTER_BAR:[0.5]-[0]\n  ^\n");
   EXPECT_EQ(words_about("map.ini", "drum", "bell"),
             "map.ini:2:1: warning[RPJ007]: the sound 'snd\\bell.wav' is not there\n"
-            "    VOICE:[0]-[[snd\\bell.wav]]\n    ^\n");
+            "  VOICE:[0]-[[snd\\bell.wav]]\n  ^\n");
 }
 
 /// A motion of poses for the small project.

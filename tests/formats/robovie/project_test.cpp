@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Robots' projects, and motions that are held against them.
 
+#include <algorithm>
+
 #include "formats/robovie/robovie.hpp"
 
 namespace kinefile::test {
@@ -120,7 +122,7 @@ TEST(RobotProjectReader, FaultsHaveTheirWords) {
     EXPECT_TRUE(read.project) << name;
   }
   EXPECT_EQ(words_about("sld.ini", "_DIVISION:[0]-[100]-[1]", "_DIVISION:[0]-[100]"),
-            "sld.ini:21:1: warning[RPJ004]: expected 3 settings after _DIVISION:, found 2; the "
+            "sld.ini:20:1: warning[RPJ004]: expected 3 settings after _DIVISION:, found 2; the "
             "line is passed over\n  _DIVISION:[0]-[100]\n  ^\n");
   EXPECT_EQ(words_about("rom.ini", "[16667]", "[fast]"),
             "rom.ini:2:15: warning[RPJ005]: expected a whole number from 1 to 10000000, found "
@@ -154,7 +156,8 @@ std::vector<std::string> warnings_of(const std::string& motion,
   }
   options.max_speed = max_speed;
   std::vector<std::string> lines;
-  for (const Diagnostic& item : read_robovie(motion, options).diagnostics.items()) {
+  const ReadText read = read_robovie(motion, options);
+  for (const Diagnostic& item : read.diagnostics.items()) {
     lines.push_back(to_string(item).substr(0, to_string(item).find('\n')));
   }
   return lines;
@@ -176,7 +179,7 @@ TEST(RobovieOnARobot, WordsAndSoundsAreHeldAgainstTheProject) {
   const std::string other = replaced(motion_with("0x0000,0X0000"), as_editor("drum").substr(2),
                                      as_editor("bell").substr(2));
   EXPECT_EQ(warnings_of(other),
-            Lines{"t.txt:4:43: warning[RBV043]: expected a sound of the project's list, found "
+            Lines{"t.txt:4:38: warning[RBV043]: expected a sound of the project's list, found "
                   "'SND\\bell.wav'"});
 }
 

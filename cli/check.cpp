@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "folders.hpp"
 #include "json_output.hpp"
 #include "report.hpp"
 
@@ -54,6 +55,16 @@ std::string text_of(const LimitBreach& breach, const Skeleton& skeleton) {
       breach.num_frames, breach.first_frame);
 }
 
+/// A note about a file as a whole.
+Diagnostic note_of(const std::string& path, std::string code, std::string message) {
+  Diagnostic note;
+  note.severity = Severity::Note;
+  note.code = std::move(code);
+  note.message = std::move(message);
+  note.place.source = source_name(path);
+  return note;
+}
+
 /// Notes joints that turn suddenly, which no format forbids.
 void note_sudden_turns(const std::string& path, const Document& document,
                        Diagnostics& diagnostics) {
@@ -61,15 +72,11 @@ void note_sudden_turns(const std::string& path, const Document& document,
   if (motion == nullptr) return;
   for (const SuddenTurn& turn : find_sudden_turns(*motion)) {
     const bool is_spike = turn.return_frame != 0;
-    Diagnostic note;
-    note.severity = Severity::Note;
-    note.code = is_spike ? "MOT001" : "MOT002";
-    note.message = fmt::format("joint '{}' turns by {:.0f} degrees from frame {} to {}",
-                               motion->skeleton.joints[turn.joint].name, turn.degrees,
-                               turn.frame - 1, turn.frame);
-    if (is_spike) note.message += fmt::format(" and is back in frame {}", turn.return_frame);
-    note.place.source = source_name(path);
-    diagnostics.add(std::move(note));
+    std::string message = fmt::format("joint '{}' turns by {:.0f} degrees from frame {} to {}",
+                                      motion->skeleton.joints[turn.joint].name, turn.degrees,
+                                      turn.frame - 1, turn.frame);
+    if (is_spike) message += fmt::format(" and is back in frame {}", turn.return_frame);
+    diagnostics.add(note_of(path, is_spike ? "MOT001" : "MOT002", std::move(message)));
   }
 }
 
@@ -95,26 +102,53 @@ void check_on_robot(const std::string& path, Document& document, const Reading& 
   }
 }
 
+/// What is wrong with one file.
+Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_code) {
+  Diagnostics diagnostics;
+  if (!file.is_known) {
+    diagnostics.add(note_of(file.path, "FMT005",
+                            "neither the content nor the name shows a format; passed over"));
+    return diagnostics;
+  }
+  auto document = load_quietly(file.path, reading, diagnostics);
+  if (!document) {
+    exit_code = worse(exit_code, exit_code_of(document.error()));
+    // A fault of the file itself, not of its content, is not among the diagnostics yet.
+    if (!diagnostics.has_errors()) diagnostics.add(document.error());
+    return diagnostics;
+  }
+  note_sudden_turns(file.path, *document, diagnostics);
+  check_on_robot(file.path, *document, reading, diagnostics);
+  if (diagnostics.has_errors()) exit_code = worse(exit_code, kInvalid);
+  return diagnostics;
+}
+
+/// Prints what is wrong with a file, or adds it to the array for JSON.
+void report(const InputFile& file, const Diagnostics& diagnostics, const Check& check,
+            const Globals& globals, Json& all) {
+  if (check.is_json) {
+    for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));
+  } else {
+    print_diagnostics(stdout, diagnostics, globals);
+    if (file.is_known) print_summary(file.path, diagnostics, globals);
+  }
+}
+
 int run(const Check& check, const Globals& globals) {
   int exit_code = kDone;
   Json all = Json::array();
-  for (const std::string& path : check.files) {
+  if (!check.reading.project.empty()) {  // once, before all files
     Diagnostics diagnostics;
-    auto document = load_quietly(path, check.reading, diagnostics);
-    if (!document) {
-      exit_code = worse(exit_code, exit_code_of(document.error()));
-      // A fault of the file itself, not of its content, is not among the diagnostics yet.
-      if (!diagnostics.has_errors()) diagnostics.add(document.error());
-    } else {
-      note_sudden_turns(path, *document, diagnostics);
-      check_on_robot(path, *document, check.reading, diagnostics);
-      if (diagnostics.has_errors()) exit_code = worse(exit_code, kInvalid);
-    }
-    if (check.is_json) {
-      for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));
-    } else {
-      print_diagnostics(stdout, diagnostics, globals);
-      print_summary(path, diagnostics, globals);
+    diagnostics.warnings_are_errors = check.reading.is_strict;
+    const auto project = load_project(check.reading, diagnostics);
+    if (!project) exit_code = worse(exit_code, exit_code_of(project.error()));
+    if (!project && !diagnostics.has_errors()) diagnostics.add(project.error());
+    report({check.reading.project}, diagnostics, check, globals, all);
+  }
+  if (exit_code == kDone) {
+    for (const InputFile& file : with_files_of_folders(check.files)) {
+      const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
+      report(file, diagnostics, check, globals, all);
     }
   }
   if (check.is_json) print_json(all);
@@ -127,7 +161,9 @@ void add_check(CLI::App& app, Globals& globals) {
   auto check = std::make_shared<Check>();
   CLI::App* command =
       app.add_subcommand("check", "Report every fault of files, each with its place");
-  command->add_option("FILE", check->files, "Files to read; - is standard input")->required();
+  command
+      ->add_option("FILE", check->files, "Files to read, or folders of such; - is standard input")
+      ->required();
   command->add_flag("--json", check->is_json, "Print an array with an object a fault");
   add_reading_options(*command, check->reading);
   command->callback(

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ struct Reading {
   std::string encoding;
   std::string unit_in;
   std::string skeleton;
+  std::string project;  ///< of a robot that flows are for
+  /// What `project` names, once it has been read; see `load_project`.
+  mutable std::shared_ptr<const RobotProject> loaded_project;
+  std::optional<double> max_speed;  ///< of sliders, in units a tick
   std::string timed_rounding = "ceil";
   bool keeps_times = false;
   std::optional<double> fps;
@@ -58,6 +63,10 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
 
 /// Reads the document that `--skeleton` names; null if it names none.
 Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostics& diagnostics);
+
+/// Reads the project that `--project` names, once; null if it names none.
+Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
+                                                         Diagnostics& diagnostics);
 
 /// The motion of a document in a world, taken out of it: a body motion, which stays, on the robot
 /// that `--skeleton` names, or its links alone. A skeleton alone is a motion without frames.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <utility>
 
 #include "command.hpp"
 #include "writing.hpp"
@@ -28,6 +29,9 @@ ChannelOptions channels_of(const Convert& convert) {
 int run(Convert& convert, const Globals& globals) {
   const Format* format = output_format(convert.writing);
   if (format == nullptr) return no_output_format(convert.writing, globals);
+  if (format->name == "robovie") {  // whose encoding is told by its bytes
+    convert.writing.format.encoding = std::exchange(convert.reading.encoding, {});
+  }
   int exit_code = kDone;
   auto document = load(convert.in, convert.reading, globals, exit_code);
   if (!document) return exit_code;

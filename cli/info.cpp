@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "info_flow.hpp"
 #include "json_output.hpp"
 #include "report.hpp"
 
@@ -16,6 +17,7 @@ struct Info {
   std::vector<std::string> files;
   bool is_tree = false;
   bool is_json = false;
+  bool has_poses = false;
   Reading reading;
 };
 
@@ -253,6 +255,17 @@ Json json_of(const std::string& path, const Document& document) {
   return json;
 }
 
+/// Prints what a flow holds, or adds it to the array for JSON.
+void tell_flow(const std::string& name, const Document& document, const Info& info, Json& all) {
+  const RobotProject* const project = info.reading.loaded_project.get();
+  if (info.is_json) {
+    all.push_back(flow_json(name, document, info.has_poses, project));
+    return;
+  }
+  print_data(flow_text(name, document));
+  if (info.has_poses) print_data(poses_text(std::get<PoseFlow>(document.content), project));
+}
+
 int run(const Info& info, const Globals& globals) {
   int exit_code = kDone;
   Json all = Json::array();
@@ -260,7 +273,13 @@ int run(const Info& info, const Globals& globals) {
     const auto document = load(path, info.reading, globals, exit_code);
     if (!document) continue;
     const std::string name = path == "-" ? "<stdin>" : path;
-    if (info.is_json) {
+    const bool is_flow = std::holds_alternative<PoseFlow>(document->content);
+    if (info.has_poses && !is_flow) {
+      return usage_error(globals, fmt::format("'{}' holds no flow of poses", name));
+    }
+    if (is_flow && (info.is_json || !info.is_tree)) {
+      tell_flow(name, *document, info, all);
+    } else if (info.is_json) {
       all.push_back(json_of(name, *document));
     } else if (info.is_tree) {
       if (info.files.size() > 1) print_data(fmt::format("{}:\n", name));
@@ -283,6 +302,8 @@ void add_info(CLI::App& app, Globals& globals) {
   CLI::App* command = app.add_subcommand("info", "Tell what files hold");
   command->add_option("FILE", info->files, "Files to read; - is standard input")->required();
   command->add_flag("--tree", info->is_tree, "Draw the hierarchy of joints, and no more");
+  command->add_flag("--poses", info->has_poses,
+                    "Of a flow of servo poses: also print its poses, with --project in degrees");
   command->add_flag("--json", info->is_json, "Print an array with an object a file");
   add_reading_options(*command, info->reading);
   command->callback(

@@ -29,6 +29,12 @@ std::string check_unit(const std::string& text) {
   return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
 }
 
+std::string check_speed(const std::string& text) {
+  double speed = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, speed);
+  return is_number && speed > 0 && speed < 1e9 ? "" : "expected units a tick above 0";
+}
+
 std::vector<std::string> readable_formats() {
   std::vector<std::string> names;
   for (const Format& format : formats()) {
@@ -54,6 +60,15 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       .add_option("--skeleton", reading.skeleton,
                   "The skeleton of a motion that needs one; else it is looked for beside the file")
       ->type_name("FILE");
+  command
+      .add_option("--project", reading.project,
+                  "The RobovieMaker project (.rpj) of the robot that a flow is for")
+      ->type_name("FILE");
+  command
+      .add_option("--max-speed", reading.max_speed,
+                  "Warn of sliders of a flow that go further than so many units in a tick")
+      ->check(check_speed)
+      ->type_name("UNITS");
   command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
       ->check(check_rate)
       ->type_name("RATE");
@@ -66,7 +81,8 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       ->type_name("MODE");
   command
       .add_option("--encoding", reading.encoding,
-                  "Encoding of the input; else byte order marks and its bytes tell")
+                  "Encoding of the input; else byte order marks and its bytes tell. Of convert to "
+                  "robovie the output's; else that of the input, or utf-16le")
       ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
       ->type_name("ENCODING");
   command
@@ -103,6 +119,10 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   if (reading.timed_rounding == "slerp") options.timed_rounding = TimedRounding::Slerp;
   options.keeps_times = reading.keeps_times;
   if (!reading.unit_in.empty()) options.metres_per_unit = metres_of(reading.unit_in);
+  auto project = load_project(reading, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  options.project = std::move(*project);
+  options.max_speed = reading.max_speed;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   return read_file(path, format, options, diagnostics);
 }
@@ -131,6 +151,17 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
                            fmt::format("'{}' holds no skeleton", reading.skeleton)));
   }
   return std::optional<Document>(std::move(*skeleton));
+}
+
+Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
+                                                         Diagnostics& diagnostics) {
+  if (reading.project.empty() || reading.loaded_project) return reading.loaded_project;
+  ReadOptions options;
+  options.lenient = reading.is_lenient;
+  auto project = read_project_file(reading.project, options, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  reading.loaded_project = std::make_shared<const RobotProject>(std::move(*project));
+  return reading.loaded_project;
 }
 
 Result<Motion> motion_in_world(Document& document, const Reading& reading,

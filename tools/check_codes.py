@@ -13,8 +13,8 @@ CODE = re.compile(r"\b([A-Z]{3}[0-9]{3}|IO[0-9]{3})\b")
 
 # The folder of each format's codes.
 FOLDERS = {"BVH": "bvh", "ASF": "acclaim", "AMC": "acclaim", "SEQ": "choreonoid",
-           "YML": "choreonoid", "BDY": "body", "URD": "urdf", "WRL": "wrl",
-           "SVM": "servo_map"}
+           "RBV": "robovie", "RPJ": "robovie", "YML": "choreonoid", "BDY": "body", "URD": "urdf",
+           "WRL": "wrl", "SVM": "servo_map"}
 
 # Codes that no file alone brings about; the tests that show them.
 NOT_BY_A_FILE = {
@@ -32,6 +32,20 @@ NOT_BY_A_FILE = {
     "BVH034": "tests/formats/bvh/read_test.cpp",   # --positions auto
     "BVH036": "tests/formats/bvh/write_test.cpp",  # writing
     "BVH037": "tests/formats/bvh/write_test.cpp",  # writing
+    "RBV043": "tests/formats/robovie/project_test.cpp",  # --project
+    "RBV044": "tests/formats/robovie/project_test.cpp",  # --project
+    "RBV045": "tests/formats/robovie/project_test.cpp",  # --project
+    "RBV046": "tests/formats/robovie/project_test.cpp",  # --project
+    "RBV047": "tests/formats/robovie/project_test.cpp",  # --max-speed
+    "RBV052": "tests/formats/robovie/write_test.cpp",  # writing
+    "RBV053": "tests/formats/robovie/write_test.cpp",  # writing
+    "RPJ001": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ002": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ003": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ004": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ005": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ006": "tests/formats/robovie/project_test.cpp",  # projects
+    "RPJ007": "tests/formats/robovie/project_test.cpp",  # projects
     "SEQ025": "tests/formats/choreonoid/write_test.cpp",  # writing
     "SEQ026": "tests/formats/choreonoid/write_test.cpp",  # writing
     "SEQ027": "tests/formats/choreonoid/write_test.cpp",  # writing

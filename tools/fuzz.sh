@@ -37,5 +37,6 @@ run_pair bvh_read_fuzz bvh bvh_round_trip_fuzz bvh
 run_pair asf_read_fuzz acclaim amc_read_fuzz acclaim
 run_pair seq_read_fuzz choreonoid yaml_differential_fuzz choreonoid
 run_pair body_read_fuzz body urdf_read_fuzz urdf
-run_pair wrl_read_fuzz wrl servo_map_fuzz servo_map
+run_pair wrl_read_fuzz wrl robovie_read_fuzz robovie
+run_target servo_map_fuzz servo_map || failed=1
 exit $failed

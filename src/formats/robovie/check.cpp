@@ -17,8 +17,8 @@ bool check_arrow(const Reader& reader, int arrow, std::size_t num_blocks, std::s
                  const char* at) {
   if (at == nullptr || (arrow >= kNoBlock && arrow < static_cast<int>(num_blocks))) return true;
   reader.error(code::kNoSuchBlock,
-               fmt::format("expected the number of a block ({}), from -1 to {}, found {}", name,
-                           num_blocks - 1, arrow),
+               fmt::format("expected the number of a block, 0 to {}, or -1 ({}), found {}",
+                           num_blocks - 1, name, arrow),
                at);
   return false;
 }
@@ -30,8 +30,8 @@ void check_ways(const Reader& reader, const PoseFlow& flow, std::size_t number,
   const bool is_word_n = flow.format == FlowFormat::WordN;
   const auto check_self = [&](int arrow, std::string_view name, const char* at) {
     if (arrow != static_cast<int>(number)) return;
-    const std::string message =
-        fmt::format("expected another block ({}), found {} itself", name, number);
+    const std::string message = fmt::format("expected another {0} ({1}), found {0} {2} itself",
+                                            is_word_n ? "pose" : "block", name, number);
     if (is_word_n) return reader.error(code::kPoseToItself, message, at);
     reader.warn(code::kBlockToItself, message, at);
   };

@@ -123,9 +123,12 @@ int Settings::number(std::size_t i, const Range& range) const {
   const auto value = integer(i);
   if (!value) return range.minimum;
   if (*value < range.minimum || *value > range.maximum) {
+    const std::string allowed = range.maximum == kLargestNumber
+                                    ? fmt::format("{} or more", range.minimum)
+                                    : fmt::format("{} to {}", range.minimum, range.maximum);
     reader_.error(range.code,
-                  fmt::format("expected {} from {} to {}, found {}", row_.settings[i],
-                              range.minimum, range.maximum, trimmed(field(i).text)),
+                  fmt::format("expected {} ({}), found {}", allowed, row_.settings[i],
+                              trimmed(field(i).text)),
                   field(i).text.data());
   }
   return std::clamp(*value, range.minimum, range.maximum);
@@ -135,10 +138,10 @@ int Settings::ticks(std::size_t i) const {
   const int value = integer(i).value_or(1);
   if (value >= 1 && value <= kMaxTicks) return value;
   const int nearest = std::clamp(value, 1, kMaxTicks);
-  reader_.repair(code::kBadTime,
-                 fmt::format("expected a time from 1 to {} ticks, found {}", kMaxTicks,
-                             trimmed(field(i).text)),
-                 fmt::format("{} is taken", nearest), field(i).text.data());
+  reader_.repair(
+      code::kBadTime,
+      fmt::format("expected 1 to {} ticks (time), found {}", kMaxTicks, trimmed(field(i).text)),
+      fmt::format("{} is taken", nearest), field(i).text.data());
   return nearest;
 }
 

@@ -52,7 +52,8 @@ void check_encoding(const Reader& reader, const text::DecodedText& decoded, Flow
 void keep_layout(Extras& extras, const text::DecodedText& decoded, const FlowFile& file) {
   extras.file["encoding"] = decoded.description();
   extras.file["line_end"] = text::line_end_of(decoded.view());
-  extras.file[extra::kBlankLines] = file.has_blank_lines ? "blocks" : "none";
+  const bool is_usual = file.has_blank_lines == (file.flow.format == FlowFormat::V1R4);
+  if (!is_usual) extras.file[extra::kBlankLines] = file.has_blank_lines ? "blocks" : "none";
   const bool ends_with_line = decoded.view().ends_with('\n') || decoded.view().ends_with('\r');
   if (!ends_with_line) extras.file[extra::kLastLineEnd] = "none";
 }
@@ -98,6 +99,8 @@ Layout layout_of(const Document& document, FlowFormat format, const WriteOptions
     layout.encoding = options.encoding;
     layout.has_bom = options.encoding.starts_with("utf-16");
   }
+  // What is asked for like this is meant for the editor.
+  if (options.encoding == "utf-16le") layout.line_end = "\r\n";
   return layout;
 }
 

@@ -21,9 +21,7 @@ std::string meant(std::string_view key) {
     word += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
     i += narrow != 0 ? length : 1;
   }
-  // A colon of full width is taken for a part of the word.
-  const std::size_t colon = word.find(':');
-  return word.substr(0, colon);
+  return word;
 }
 
 std::optional<Keyword> keyword_of(std::string_view word) {
@@ -86,13 +84,14 @@ bool Parser::parse_format() {
                   is_empty ? text.data() + text.size() : setting_.at);
     return false;
   }
-  file_.start = setting_.at;
+  const char* const start = setting_.at;
   const KeywordRow row = row_of(Keyword::MotionFormat, FlowFormat::V1R4);
   const Settings settings(reader_, setting_, row);
   if (!settings.are_complete()) return false;
   const std::string_view text = settings.single(0);
   for (const FlowFormat format : {FlowFormat::WordN, FlowFormat::V1R4}) {
     if (trimmed(text) != header_word(format)) continue;
+    file_.start = start;
     file_.flow.format = format;
     if (text != fmt::format(" {} ", header_word(format))) {
       tell_spelling(reader_, "a format without one blank on each side", settings.field(0).at);

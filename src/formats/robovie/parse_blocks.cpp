@@ -9,7 +9,6 @@
 namespace kinefile::robovie {
 namespace {
 
-constexpr int kLargest = 999'999'999;
 constexpr Range kVariable = {code::kBadVariable, 0, static_cast<int>(kNumVariables) - 1};
 constexpr Range kConstant = {code::kBadConstant, -32768, 32767};
 
@@ -68,8 +67,8 @@ void Parser::parse_info() {
     return;
   }
   block.name = settings.text(0);
-  block.x = settings.number(1, {code::kBadPosition, 0, kLargest});
-  block.y = settings.number(2, {code::kBadPosition, 0, kLargest});
+  block.x = settings.number(1, {code::kBadPosition, 0, kLargestNumber});
+  block.y = settings.number(2, {code::kBadPosition, 0, kLargestNumber});
   block.normal_turn = settings.integer(3).value_or(0);
   block.branch_turn = settings.integer(4).value_or(0);
   block.normal = arrow(settings, 5);
@@ -146,7 +145,12 @@ void Parser::parse_words_of(const Settings& settings, PoseBlock& pose) {
   PoseFlow& flow = file_.flow;
   const std::size_t most = knows_axis_ ? flow.num_sliders : max_sliders(flow.format);
   const Field& field = settings.field(1);
+  const auto num_wide = [this] {
+    return reader_.diagnostics.count_of(code::kFullWidth, Severity::Error);
+  };
+  const std::size_t num_wide_before = num_wide();
   const std::size_t count = parse_words(reader_, field, most, pose.words);
+  const bool has_wide_commas = num_wide() > num_wide_before;  // they make the number a wrong one
   if (!knows_axis_) {  // the first pose tells, as far as it can
     knows_axis_ = true;
     flow.num_sliders = pose.words.size();
@@ -158,7 +162,7 @@ void Parser::parse_words_of(const Settings& settings, PoseBlock& pose) {
                  "expected 62 words, as _ENABLE_AXIS: says, found 30; the other sliders are taken "
                  "for disabled, here and in poses like this",
                  field.at);
-  } else if (!is_of_servos && count != flow.num_sliders) {
+  } else if (!is_of_servos && !has_wide_commas && count != flow.num_sliders) {
     reader_.error(
         code::kNumWords,
         fmt::format("expected {} words, as _ENABLE_AXIS: says, found {}", flow.num_sliders, count),

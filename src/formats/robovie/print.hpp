@@ -19,7 +19,7 @@ struct Layout {
 
 /// Keys of what a document's extras keep of a file, beside encoding and line_end.
 namespace extra {
-inline constexpr char kBlankLines[] = "blank_lines";     ///< "blocks" or "none"
+inline constexpr char kBlankLines[] = "blank_lines";     ///< "blocks" or "none"; absent: as usual
 inline constexpr char kLastLineEnd[] = "last_line_end";  ///< "none"; absent: as the others
 }  // namespace extra
 

@@ -61,7 +61,7 @@ void read_slider_line(const ProjectLine& line, Slider& slider) {
   } else if (line.key() == "_DIVISION") {
     read_division(line, slider);
   } else if (line.key() == "_FLAG" && line.has(2)) {
-    const auto bits = line.integer(1, 0, 999'999'999);
+    const auto bits = line.integer(1, 0, kLargestNumber);
     slider.is_disabled = bits && (*bits & kDisabledBit) != 0;
   }
 }

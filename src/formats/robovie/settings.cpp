@@ -59,7 +59,9 @@ class Splitter {
   bool take_key() {
     const std::size_t colon = rest().find_first_of(":[");
     if (colon == std::string_view::npos || rest()[colon] != ':') {
-      setting_.key = rest().substr(0, colon);
+      // What stands for the colon is often one of full width.
+      const std::string_view before = rest().substr(0, colon);
+      setting_.key = before.substr(0, before.find("\uFF1A"));
       return fail_at(next_ + setting_.key.size(), "':'");
     }
     setting_.key = rest().substr(0, colon);
@@ -73,7 +75,8 @@ class Splitter {
     const bool is_doubled = next_ < end_ && *next_ == '[';
     if (is_doubled) ++next_;
     const std::size_t length = is_doubled ? length_of_text() : rest().find_first_of("[]");
-    if (is_doubled && length == std::string_view::npos) return fail_at(end_, "']]'");
+    if (is_doubled && length == std::string_view::npos)
+      return fail_at(end_, "']]', followed by '-[' or nothing");
     if (length == std::string_view::npos) return fail_at(end_, "']'");
     if (!is_doubled && rest()[length] == '[') return fail_at(next_ + length, "']'");
     setting_.fields.push_back({rest().substr(0, length), at, is_doubled});
@@ -121,7 +124,6 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<int> parse_integer(std::string_view text) {
-  constexpr int kLargest = 999'999'999;
   text = trimmed(text);
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
@@ -129,7 +131,7 @@ std::optional<int> parse_integer(std::string_view text) {
   std::int64_t value = 0;
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;
-    value = std::min<std::int64_t>(value * 10 + (c - '0'), kLargest);
+    value = std::min<std::int64_t>(value * 10 + (c - '0'), kLargestNumber);
   }
   return static_cast<int>(is_negative ? -value : value);
 }

@@ -24,7 +24,7 @@ struct Setting {
   const char* end = nullptr;           ///< where it ends, without blanks
   const char* first_blank = nullptr;   ///< a blank that the editor does not write; else null
   const char* fault = nullptr;         ///< where it is not laid out like this; else null
-  std::string_view expected_at_fault;  ///< "':'", "'['", "']'", "']]'" or "'-'"
+  std::string_view expected_at_fault;  ///< "':'", for a message
 };
 
 /// Splits a line; up to a fault, if there is one. A doubled bracket ends at the first `]]` that is
@@ -46,8 +46,10 @@ class Lines {
 /// A text without blanks at both ends, those of half width.
 std::string_view trimmed(std::string_view text);
 
+/// What numbers beyond nine digits become.
+inline constexpr int kLargestNumber = 999'999'999;
+
 /// A whole number in decimal digits, with a sign or without; blanks around it are passed over.
-/// Numbers beyond nine digits become 999 999 999, which no setting allows.
 std::optional<int> parse_integer(std::string_view text);
 
 /// The character of ASCII that a full-width one looks like; empty if it does not. \param length

@@ -55,7 +55,7 @@ struct BlockPlaces {
 struct FlowFile {
   PoseFlow flow;
   std::vector<BlockPlaces> places;  ///< one a block
-  const char* start = nullptr;      ///< the first line
+  const char* start = nullptr;      ///< the first line; null: it does not show the format
   bool is_whole = true;             ///< every line and arrow could be read
   bool has_blank_lines = false;     ///< before its first block
 };

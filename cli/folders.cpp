@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "folders.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinefile/kinefile.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_known_format(const std::string& path) {
+  constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return true;  // reading it tells why
+  const Format* format = detect_format(bytes->view().substr(0, kHeadBytes), path);
+  return format != nullptr && format->read != nullptr;
+}
+
+std::vector<InputFile> files_of(const fs::path& folder) {
+  std::vector<InputFile> files;
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+       entry.increment(fault)) {
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored)) continue;
+    const std::string path = entry->path().string();
+    files.push_back({path, has_known_format(path)});
+  }
+  std::sort(files.begin(), files.end(),
+            [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
+  return files;
+}
+
+}  // namespace
+
+std::vector<InputFile> with_files_of_folders(const std::vector<std::string>& paths) {
+  std::vector<InputFile> files;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (path == "-" || !fs::is_directory(path, ignored)) {
+      files.push_back({path});
+      continue;
+    }
+    const std::vector<InputFile> inside = files_of(path);
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+}  // namespace kinefile::cli

@@ -68,6 +68,10 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
 Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
                                                          Diagnostics& diagnostics);
 
+/// The flow of a file, as `load`.
+std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,
+                                  const Globals& globals, int& exit_code);
+
 /// The motion of a document in a world, taken out of it: a body motion, which stays, on the robot
 /// that `--skeleton` names, or its links alone. A skeleton alone is a motion without frames.
 Result<Motion> motion_in_world(Document& document, const Reading& reading,
@@ -85,6 +89,8 @@ void add_edit(CLI::App& app, Globals& globals);
 void add_warp(CLI::App& app, Globals& globals);
 void add_align(CLI::App& app, Globals& globals);
 void add_resample(CLI::App& app, Globals& globals);
+void add_run(CLI::App& app, Globals& globals);
+void add_graph(CLI::App& app, Globals& globals);
 void add_keyframe(CLI::App& app, Globals& globals);
 void add_servo_map(CLI::App& app, Globals& globals);
 void add_formats(CLI::App& app, Globals& globals);

@@ -77,6 +77,12 @@ void add_convert(CLI::App& app, Globals& globals) {
                    "where their names differ")
       ->type_name("FILE");
   command
+      ->add_option("--flow-format", convert->writing.flow_format,
+                   "Of a flow of servo poses: word_n (RobovieMaker for VS-RC003) or v1r4 "
+                   "(RobovieMaker2)")
+      ->check(CLI::IsMember({"word_n", "v1r4"}))
+      ->type_name("FORMAT");
+  command
       ->add_option("--up", convert->writing.up,
                    "The axis that points up in the output: z is usual for .seq, y for others")
       ->check(CLI::IsMember({"y", "z", "as-is"}))

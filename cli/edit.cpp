@@ -27,23 +27,31 @@ Result<std::vector<Operation>> parse_operations(const std::vector<std::string>& 
   return operations;
 }
 
+/// What keeps an operation from a document; empty if nothing does.
+std::string hindrance(const Operation& operation, const Document& document) {
+  if (std::holds_alternative<PoseFlow>(document.content)) {
+    return operation.apply_to_flow ? "" : "a motion, and the file holds a flow of poses";
+  }
+  if (!operation.apply) return "a flow of poses, and the file holds none";
+  if (!has_skeleton(document) && !operation.works_on_parts) {
+    return "a skeleton, and the file holds components";
+  }
+  if (operation.needs_motion && std::holds_alternative<Skeleton>(document.content)) {
+    return "a motion, and the file holds a skeleton alone";
+  }
+  return {};
+}
+
 /// Does one operation after the other. An error names the one that it came from.
 Result<void> apply(const std::vector<Operation>& operations, Document& document,
                    const EditContext& context) {
   for (const Operation& operation : operations) {
-    const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
-    if (is_flow || (!has_skeleton(document) && !operation.works_on_parts)) {
+    if (const std::string needed = hindrance(operation, document); !needed.empty()) {
       return fail(make_error(ErrorKind::Usage, "CLI001",
-                             fmt::format("'{}' needs a {}", operation.word,
-                                         is_flow ? "motion, and the file holds a flow of poses"
-                                                 : "skeleton, and the file holds components")));
+                             fmt::format("'{}' needs {}", operation.word, needed)));
     }
-    if (operation.needs_motion && std::holds_alternative<Skeleton>(document.content)) {
-      return fail(make_error(
-          ErrorKind::Usage, "CLI001",
-          fmt::format("'{}' needs a motion, and the file holds a skeleton alone", operation.word)));
-    }
-    auto applied = operation.apply(document, context);
+    const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+    auto applied = (is_flow ? operation.apply_to_flow : operation.apply)(document, context);
     if (applied) continue;
     Error error = std::move(applied.error());
     if (error.place.source.empty()) error.message = operation.word + ": " + error.message;

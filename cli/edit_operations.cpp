@@ -6,14 +6,13 @@
 #include <limits>
 #include <string_view>
 
+#include "edit_flows.hpp"
 #include "frame_range.hpp"
 #include "numbers.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-using Apply = std::function<Result<void>(Document&, const EditContext&)>;
 
 /// An operation by name: how it is called, and how its argument is read.
 struct OperationKind {
@@ -24,6 +23,9 @@ struct OperationKind {
   /// \param argument  what follows "=", or null
   /// \returns         nothing if the argument is not what `usage` says
   Apply (*parse)(const std::string* argument);
+  /// The same for flows, where the operation is one for them.
+  std::string_view flow_usage = {};
+  Apply (*parse_for_flow)(const std::string* argument) = nullptr;
 };
 
 std::optional<double> parse_above_zero(const std::string* text) {
@@ -221,9 +223,10 @@ Apply parse_zmp(const std::string* argument) {
 
 constexpr OperationKind kKinds[] = {
     {"trim", "trim=A:B", true, true, parse_trim},
-    {"reverse", "reverse", true, true, parse_reverse},
-    {"speed", "speed=X", true, true, parse_speed},
-    {"mirror", "mirror[=x|y|z]", true, false, parse_mirror},
+    {"reverse", "reverse", true, true, parse_reverse, "reverse", parse_flow_reverse},
+    {"speed", "speed=X", true, true, parse_speed, "speed=X", parse_flow_speed},
+    {"mirror", "mirror[=x|y|z]", true, false, parse_mirror, "mirror[=A:B[:SIGN],...]",
+     parse_flow_mirror},
     {"scale", "scale=X", false, false, parse_scale},
     {"up", "up=y|z", false, false, parse_up},
     {"in-place", "in-place", true, false, parse_in_place},
@@ -234,7 +237,18 @@ constexpr OperationKind kKinds[] = {
     {"smooth", "smooth=HZ", true, true, parse_smooth},
     {"unwrap", "unwrap", true, false, parse_unwrap},
     {"zmp", "zmp=global|root", true, true, parse_zmp},
+    {"offset", "", true, false, nullptr, "offset=SLIDER:VALUE", parse_flow_offset},
+    {"merge", "", true, false, nullptr, "merge=FILE,SLIDERS", parse_flow_merge},
+    {"insert", "", true, false, nullptr, "insert=BLOCK,FILE", parse_flow_insert},
+    {"delete", "", true, false, nullptr, "delete=BLOCK", parse_flow_delete},
 };
+
+/// How an operation is called, for one document or another.
+std::string usage_of(const OperationKind& kind) {
+  if (kind.flow_usage.empty() || kind.flow_usage == kind.usage) return std::string(kind.usage);
+  if (kind.usage.empty()) return std::string(kind.flow_usage);
+  return fmt::format("{} (of a flow: {})", kind.usage, kind.flow_usage);
+}
 
 Error usage(std::string message) {
   return make_error(ErrorKind::Usage, "CLI001", std::move(message));
@@ -245,24 +259,30 @@ Error usage(std::string message) {
 Result<Operation> parse_operation(const std::string& word) {
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(0, equals);
-  const std::string argument = equals == std::string::npos ? "" : word.substr(equals + 1);
+  const std::string text = equals == std::string::npos ? "" : word.substr(equals + 1);
+  const std::string* const argument = equals == std::string::npos ? nullptr : &text;
   for (const OperationKind& kind : kKinds) {
     if (kind.name != name) continue;
-    Apply apply = kind.parse(equals == std::string::npos ? nullptr : &argument);
-    if (apply) return Operation{word, kind.needs_motion, kind.works_on_parts, std::move(apply)};
-    return fail(usage(fmt::format("expected {}, found '{}'", kind.usage, word)));
+    Apply apply = kind.parse != nullptr ? kind.parse(argument) : Apply();
+    Apply apply_to_flow = kind.parse_for_flow != nullptr ? kind.parse_for_flow(argument) : Apply();
+    if (apply || apply_to_flow) {
+      return Operation{word, kind.needs_motion, kind.works_on_parts, std::move(apply),
+                       std::move(apply_to_flow)};
+    }
+    return fail(usage(fmt::format("expected {}, found '{}'", usage_of(kind), word)));
   }
   return fail(
       usage(fmt::format("there is no operation '{}'; there are {}", name, list_of_operations())));
 }
 
 std::string list_of_operations() {
-  std::string list;
+  std::string list, of_flows;
   for (const OperationKind& kind : kKinds) {
-    list += list.empty() ? "" : ", ";
-    list += kind.usage;
+    if (!kind.usage.empty()) list += fmt::format("{}{}", list.empty() ? "" : ", ", kind.usage);
+    if (kind.flow_usage.empty()) continue;
+    of_flows += fmt::format("{}{}", of_flows.empty() ? "" : ", ", kind.flow_usage);
   }
-  return list;
+  return list + "; of a flow: " + of_flows;
 }
 
 }  // namespace kinefile::cli

@@ -14,12 +14,16 @@ struct EditContext {
   Diagnostics& diagnostics;
 };
 
+/// What an operation does to a document.
+using Apply = std::function<Result<void>(Document&, const EditContext&)>;
+
 /// One operation of `edit`, read from a word such as "trim=10:20".
 struct Operation {
   std::string word;
   bool needs_motion = true;     ///< else it can be done to a skeleton alone
   bool works_on_parts = false;  ///< whether it can be done to the components of a body motion
-  std::function<Result<void>(Document&, const EditContext&)> apply;
+  Apply apply;                  ///< to all but flows; null: the word is none for them
+  Apply apply_to_flow;          ///< null: the word is none for flows
 };
 
 /// Reads an operation.

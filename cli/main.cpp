@@ -53,6 +53,8 @@ int run(int argc, char** argv) {
   add_align(app, globals);
   add_resample(app, globals);
   add_edit(app, globals);
+  add_run(app, globals);
+  add_graph(app, globals);
   add_keyframe(app, globals);
   add_servo_map(app, globals);
   add_formats(app, globals);

@@ -164,6 +164,15 @@ Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
   return reading.loaded_project;
 }
 
+std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,
+                                  const Globals& globals, int& exit_code) {
+  auto document = load(path, reading, globals, exit_code);
+  if (!document) return std::nullopt;
+  if (auto* flow = std::get_if<PoseFlow>(&document->content)) return std::move(*flow);
+  exit_code = usage_error(globals, fmt::format("'{}' holds no flow of poses", path));
+  return std::nullopt;
+}
+
 Result<Motion> motion_in_world(Document& document, const Reading& reading,
                                Diagnostics& diagnostics) {
   if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);

@@ -78,6 +78,8 @@ KindOptions kind_options(const Writing& writing, const Reading& reading) {
   if (writing.form == "links") options.form = BodyForm::Links;
   if (writing.form == "joints") options.form = BodyForm::Joints;
   if (writing.form == "both") options.form = BodyForm::Both;
+  if (writing.flow_format == "word_n") options.flow_format = FlowFormat::WordN;
+  if (writing.flow_format == "v1r4") options.flow_format = FlowFormat::V1R4;
   options.keeps_up = writing.up == "as-is";
   if (writing.up == "y") options.up = 1;
   if (writing.up == "z") options.up = 2;

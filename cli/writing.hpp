@@ -18,6 +18,7 @@ struct Writing {
   WriteOptions format;      ///< what single formats can be told
   std::string form;         ///< of a body motion: links, joints, both; empty: as it is
   std::string joint_map;    ///< a file: which joint a robot's joints follow
+  std::string flow_format;  ///< of a flow: word_n or v1r4; empty: as it is
   std::string up;           ///< y, z or as-is; empty: what the format has
 };
 

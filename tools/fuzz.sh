@@ -38,5 +38,5 @@ run_pair asf_read_fuzz acclaim amc_read_fuzz acclaim
 run_pair seq_read_fuzz choreonoid yaml_differential_fuzz choreonoid
 run_pair body_read_fuzz body urdf_read_fuzz urdf
 run_pair wrl_read_fuzz wrl robovie_read_fuzz robovie
-run_target servo_map_fuzz servo_map || failed=1
+run_pair flow_run_fuzz robovie servo_map_fuzz servo_map
 exit $failed

@@ -6,6 +6,7 @@
 #include "kinefile/body_bridge.hpp"
 #include "kinefile/channels.hpp"
 #include "kinefile/document.hpp"
+#include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/joint_map.hpp"
 
@@ -29,11 +30,13 @@ struct KindOptions {
                                                  ///< absent: z for body motions, y for BVH and ASF
   bool keeps_up = false;                         ///< leaves the axes as they are
   bool lenient = false;
+  std::optional<FlowFormat> flow_format = std::nullopt;  ///< of a flow; absent: as it is
 };
 
 /// Brings a document into a kind that a format can write: a motion for BVH, ASF, AMC and CSV, a
-/// body motion for .seq. What had to be taken for granted is told in notes.
-/// \errors those of body_bridge.hpp; CNV002 (Usage) if there is no way
+/// body motion for .seq; a flow goes into the format that is asked for. What had to be taken for
+/// granted is told in notes. \errors those of body_bridge.hpp and of `in_flow_format`; CNV002
+/// (Usage) if there is no way
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics);
 

@@ -114,7 +114,6 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
                 : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo "
                   "map"));
   }
-  if (is_flow) return document;
   const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
   const Motion* motion = std::get_if<Motion>(&document.content);
   const auto put = [&](auto&& made) -> Result<Document> {
@@ -122,6 +121,11 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
     document.content = std::move(*made);
     return std::move(document);
   };
+  if (is_flow) {
+    if (!options.flow_format) return document;
+    return put(
+        in_flow_format(std::get<PoseFlow>(document.content), *options.flow_format, diagnostics));
+  }
   if (format.name == "choreonoid") {
     if (body != nullptr && !options.form) return document;
     if (body != nullptr) return put(in_form(*body, options, diagnostics));

@@ -91,11 +91,14 @@ std::optional<tl::unexpected<Error>> unsayable(const PoseFlow& flow) {
   return std::nullopt;
 }
 
-/// What stands at the end of an arrow: the start block only leads on.
+/// What stands at the end of an arrow: start blocks only lead on.
 int behind_start(const PoseFlow& flow, int target) {
-  if (target == kNoBlock) return target;
-  const Block& block = flow.blocks[static_cast<std::size_t>(target)];
-  return std::holds_alternative<StartBlock>(block.body) ? block.normal : target;
+  for (std::size_t i = 0; i < flow.blocks.size() && target != kNoBlock; ++i) {
+    const Block& block = flow.blocks[static_cast<std::size_t>(target)];
+    if (!std::holds_alternative<StartBlock>(block.body)) break;
+    target = block.normal;
+  }
+  return target;
 }
 
 /// Whether a flow's arrow leads to a block of this kind.

@@ -116,6 +116,15 @@ TEST(FlowFormats, BeginsWithThePoseBehindTheStart) {
   EXPECT_EQ(made.blocks[1].normal, kNoBlock);
 }
 
+TEST(FlowFormats, PassesThroughStartBlocksOnTheWay) {
+  const PoseFlow flow =
+      v1r4_of({start_block(2), start_block(0), pose_block(9, {9}, 3), pose_block(8, {8}, 1)});
+  const PoseFlow made = converted(flow, FlowFormat::WordN);
+  ASSERT_EQ(made.blocks.size(), 2u);
+  EXPECT_EQ(made.blocks[1].normal, 0);
+  expect_same_runs(flow, made);
+}
+
 TEST(FlowFormats, WritesAPoseThatLeadsToItselfTwice) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(10, {100}, 2), loop_block(1, 3),
                                  pose_block(20, {0}, 4), end_block()});

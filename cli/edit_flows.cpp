@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "edit_flows.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "numbers.hpp"
+
+namespace kinefile::cli {
+namespace {
+
+/// An operation that makes a flow out of a flow.
+template <class Change>
+Apply on_flow(Change change) {
+  return [change](Document& document, const EditContext& context) -> Result<void> {
+    Result<PoseFlow> changed = change(std::get<PoseFlow>(document.content), context);
+    if (!changed) return fail(std::move(changed.error()));
+    document.content = std::move(*changed);
+    return {};
+  };
+}
+
+/// Splits a text at the first such character; nothing if there is none.
+std::optional<std::pair<std::string, std::string>> split_at(const std::string& text,
+                                                            std::size_t at) {
+  if (at == std::string::npos) return std::nullopt;
+  return std::pair(text.substr(0, at), text.substr(at + 1));
+}
+
+/// Reads "A:B" or "A:B:SIGN".
+std::optional<MirrorPair> parse_pair(const std::string& text) {
+  const auto parts = CLI::detail::split(text, ':');
+  if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
+  const auto slider = parse_number<std::size_t>(parts[0]);
+  const auto partner = parse_number<std::size_t>(parts[1]);
+  const auto sign = parts.size() == 3 ? parse_number<int>(parts[2]) : std::optional(-1);
+  if (!slider || !partner || !sign || (*sign != 1 && *sign != -1)) return std::nullopt;
+  return MirrorPair{*slider, *partner, *sign};
+}
+
+/// The pairs of the project that `--project` names.
+Result<std::vector<MirrorPair>> project_pairs(const PoseFlow& flow, const EditContext& context) {
+  const auto project = load_project(context.reading, context.diagnostics);
+  if (!project) return fail(project.error());
+  if (*project == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CLI001",
+                           "expected --project, which says what the pairs of sliders are, or "
+                           "mirror=A:B,..."));
+  }
+  return mirror_pairs_of(**project, flow.num_sliders);
+}
+
+/// Reads a list of sliders, "0-5+12"; nothing if it is none.
+std::optional<std::vector<std::size_t>> parse_sliders(const std::string& text) {
+  std::vector<std::size_t> sliders;
+  for (const std::string& part : CLI::detail::split(text, '+')) {
+    const auto ends = split_at(part, part.find('-'));
+    const auto first = parse_number<std::size_t>(ends ? ends->first : part);
+    const auto last = ends ? parse_number<std::size_t>(ends->second) : first;
+    if (!first || !last || *last < *first || *last >= kNumVariables) return std::nullopt;
+    for (std::size_t s = *first; s <= *last; ++s) sliders.push_back(s);
+  }
+  return sliders;
+}
+
+/// The flow of another file.
+Result<PoseFlow> other_flow(const std::string& path, const EditContext& context) {
+  auto document = load_quietly(path, context.reading, context.diagnostics);
+  if (!document) return fail(std::move(document.error()));
+  if (auto* flow = std::get_if<PoseFlow>(&document->content)) return std::move(*flow);
+  return fail(
+      make_error(ErrorKind::Usage, "CLI001", fmt::format("'{}' holds no flow of poses", path)));
+}
+
+}  // namespace
+
+Apply parse_flow_mirror(const std::string* argument) {
+  std::vector<MirrorPair> pairs;
+  if (argument != nullptr) {
+    for (const std::string& word : CLI::detail::split(*argument, ',')) {
+      const auto pair = parse_pair(word);
+      if (!pair) return {};
+      pairs.push_back(*pair);
+    }
+  }
+  const bool is_given = argument != nullptr;
+  return on_flow(
+      [pairs, is_given](const PoseFlow& flow, const EditContext& context) -> Result<PoseFlow> {
+        if (is_given) return mirrored_flow(flow, pairs, context.diagnostics);
+        const auto of_project = project_pairs(flow, context);
+        if (!of_project) return fail(of_project.error());
+        return mirrored_flow(flow, *of_project, context.diagnostics);
+      });
+}
+
+Apply parse_flow_reverse(const std::string* argument) {
+  if (argument != nullptr) return {};
+  return on_flow([](const PoseFlow& flow, const EditContext&) { return reversed_flow(flow); });
+}
+
+Apply parse_flow_speed(const std::string* argument) {
+  const auto factor = argument != nullptr ? parse_finite(*argument) : std::nullopt;
+  if (!factor || !(*factor > 0)) return {};
+  return on_flow([factor](const PoseFlow& flow, const EditContext& context) {
+    return with_flow_speed(flow, *factor, context.diagnostics);
+  });
+}
+
+Apply parse_flow_offset(const std::string* argument) {
+  const auto parts = argument != nullptr ? split_at(*argument, argument->find(':')) : std::nullopt;
+  const auto slider = parts ? parse_number<std::size_t>(parts->first) : std::nullopt;
+  const auto offset = parts ? parse_number<int>(parts->second) : std::nullopt;
+  if (!slider || !offset) return {};
+  return on_flow([slider, offset](const PoseFlow& flow, const EditContext&) {
+    return with_slider_offset(flow, *slider, *offset);
+  });
+}
+
+Apply parse_flow_merge(const std::string* argument) {
+  // Names of files may hold commas, lists of sliders do not.
+  const auto parts = argument != nullptr ? split_at(*argument, argument->rfind(',')) : std::nullopt;
+  const auto sliders = parts ? parse_sliders(parts->second) : std::nullopt;
+  if (!sliders || parts->first.empty()) return {};
+  return on_flow([path = parts->first, sliders](const PoseFlow& flow,
+                                                const EditContext& context) -> Result<PoseFlow> {
+    const auto other = other_flow(path, context);
+    if (!other) return other;
+    return merged_flow(flow, *other, *sliders);
+  });
+}
+
+Apply parse_flow_insert(const std::string* argument) {
+  const auto parts = argument != nullptr ? split_at(*argument, argument->find(',')) : std::nullopt;
+  const auto block = parts ? parse_number<std::size_t>(parts->first) : std::nullopt;
+  if (!block || parts->second.empty()) return {};
+  return on_flow([block, path = parts->second](const PoseFlow& flow,
+                                               const EditContext& context) -> Result<PoseFlow> {
+    const auto other = other_flow(path, context);
+    if (!other) return other;
+    return with_inserted(flow, *block, *other);
+  });
+}
+
+Apply parse_flow_delete(const std::string* argument) {
+  const auto block = argument != nullptr ? parse_number<std::size_t>(*argument) : std::nullopt;
+  if (!block) return {};
+  return on_flow(
+      [block](const PoseFlow& flow, const EditContext&) { return without_block(flow, *block); });
+}
+
+}  // namespace kinefile::cli

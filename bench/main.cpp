@@ -13,6 +13,7 @@
 #include <map>
 
 #include "baselines.hpp"
+#include "keyframes.hpp"
 #include "kinefile/kinefile.hpp"
 #include "kinefile/retime.hpp"
 #include "walk.hpp"
@@ -340,6 +341,7 @@ int run(int argc, char** argv) {
              disagreement());
   fmt::print("{:<58}{:.1e}\n", "largest difference of the two warps, relative",
              warp_disagreement());
+  print_keyframes();
   std::filesystem::remove_all(subject().folder);
   return 0;
 }

@@ -33,9 +33,10 @@ Result<JointTrajectory> trajectory_in(const Document& document, const ServoMap& 
     return trajectory_of(*body, map, robot == nullptr ? nullptr : &skeleton_of(*robot),
                          diagnostics);
   }
-  return fail(make_error(
-      ErrorKind::Usage, "CLI001",
-      fmt::format("expected a motion to make poses of, found a {}", kind_name(document))));
+  return fail(
+      make_error(ErrorKind::Usage, "CLI001",
+                 fmt::format("expected a motion to make poses of, found {}",
+                             has_skeleton(document) ? "a skeleton alone" : "a flow of poses")));
 }
 
 double seconds_of(const Keyframes& made, const ServoMap& map) {
@@ -97,8 +98,9 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   if (!document) return exit_code;
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = keyframe.reading.is_strict;
-  const auto finish = [&](const Error& error) {
+  const auto finish = [&](Error error) {
     print_diagnostics(stderr, diagnostics, globals);
+    if (error.place.source.empty()) error.place.source = keyframe.file;
     if (!diagnostics.has_errors()) print_error(error, globals);
     return static_cast<int>(exit_code_of(error));
   };

@@ -39,7 +39,8 @@ double angle_of_word(const ServoMapEntry& entry, double word);
 /// The word of an angle in radians, neither rounded nor limited.
 double word_of_angle(const ServoMapEntry& entry, double angle);
 
-/// A map of a project: sliders in degrees that servos follow, each to a joint of its own name.
+/// A map of a project: sliders in degrees that servos follow (all in degrees, where the project
+/// does not tell servos), each to a joint of its own name.
 ServoMap servo_map_of(const RobotProject& project);
 
 /// Reads a map from YAML; docs/formats/servo-map.md tells how it looks.

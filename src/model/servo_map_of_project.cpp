@@ -11,6 +11,7 @@ constexpr int kStyleDegrees = 2;
 bool is_joint(const RobotProject& project, std::size_t index) {
   const Slider& slider = project.sliders[index];
   if (slider.style != kStyleDegrees || !(slider.units_per_degree > 0)) return false;
+  if (project.servos.empty()) return true;  // its file is missing
   return std::any_of(project.servos.begin(), project.servos.end(), [index](const Servo& servo) {
     return servo.slider == static_cast<int>(index);
   });

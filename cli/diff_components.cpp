@@ -14,13 +14,18 @@ bool have_one_shape(const Component& a, const Component& b) {
   return a.num_frames == b.num_frames && a.num_parts == b.num_parts;
 }
 
+/// A component as a motion, its parts by their numbers: not every file names them.
+Motion motion_by_numbers(Component component) {
+  component.part_names.clear();
+  return motion_of_component(component);
+}
+
 ComponentDifference difference_of(const Component& a, const Component* b, double tolerance) {
   ComponentDifference difference{a.content, &a, b, {}, {}, b == nullptr};
   if (b == nullptr || a.kind == ComponentKind::Other) return difference;
   difference.is_different = !have_one_shape(a, *b);
   if (difference.is_different) return difference;
-  const MotionComparison comparison =
-      compare_motions(motion_of_component(a), motion_of_component(*b));
+  const MotionComparison comparison = compare_motions(motion_by_numbers(a), motion_by_numbers(*b));
   difference.distance = comparison.distance;
   if (a.kind == ComponentKind::Poses) difference.rotation = comparison.rotation;
   difference.is_different = comparison.distance.value > tolerance ||

@@ -2,6 +2,7 @@
 #include "folders.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "kinefile/kinefile.hpp"
@@ -11,11 +12,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether all kinds of files are called so, and only the content tells which they are.
+bool has_common_extension(const fs::path& path) {
+  constexpr std::string_view kCommon[] = {".txt", ".csv", ".yaml", ".yml"};
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(std::begin(kCommon), std::end(kCommon), extension) != std::end(kCommon);
+}
+
 bool has_known_format(const std::string& path) {
   constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
   const auto bytes = FileBytes::open(path);
   if (!bytes) return true;  // reading it tells why
-  const Format* format = detect_format(bytes->view().substr(0, kHeadBytes), path);
+  const std::string name = has_common_extension(path) ? "" : path;
+  const Format* format = detect_format(bytes->view().substr(0, kHeadBytes), name);
   return format != nullptr && format->read != nullptr;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -119,6 +120,13 @@ std::string misuse(const Run& run) {
   if (format == nullptr) {
     return fmt::format("'{}' shows no format by its name; --to names it", run.writing.out);
   }
+  constexpr std::string_view kWithoutSkeleton[] = {"csv", "choreonoid", "hrpsys", "json"};
+  const bool needs_skeleton = std::find(std::begin(kWithoutSkeleton), std::end(kWithoutSkeleton),
+                                        format->name) == std::end(kWithoutSkeleton);
+  if (needs_skeleton && run.reading.skeleton.empty()) {
+    return fmt::format("{} needs --skeleton, the robot or figure whose joints the servos turn",
+                       format->name);
+  }
   if (format->name != "csv" && run.servo_map.empty()) {
     return fmt::format(
         "{} needs --servo-map, which says what words mean to joints; without it a "
@@ -165,14 +173,12 @@ Result<void> write_sliders(const Run& run, const PoseFlow& flow, const Execution
 }
 
 /// What the joints did, by the servo map, on the robot or figure that `--skeleton` names.
-Result<Document> motion_of(const Run& run, const Execution& execution, const Format& format,
-                           Diagnostics& diagnostics) {
+Result<Document> motion_of(const Run& run, const Execution& execution, Diagnostics& diagnostics) {
   ServoMap map = *execution.map;
   map.tick_seconds = execution.tick_seconds;
   const auto skeleton = load_skeleton(run.reading, diagnostics);
   if (!skeleton) return fail(skeleton.error());
-  return document_of_run(execution.run, map, *skeleton ? &**skeleton : nullptr, format,
-                         diagnostics);
+  return document_of_run(execution.run, map, *skeleton ? &**skeleton : nullptr, diagnostics);
 }
 
 /// Tells what was noticed and what ended the command, if something did. Returns the exit code.
@@ -198,7 +204,7 @@ int run_command(const Run& run, const Globals& globals) {
     return report_run(run, noticed, write_sliders(run, *flow, *execution), globals);
   }
   const Format& format = *format_of(run);
-  auto document = motion_of(run, *execution, format, noticed);
+  auto document = motion_of(run, *execution, noticed);
   if (!document) return report_run(run, noticed, fail(document.error()), globals);
   Diagnostics diagnostics = named(noticed, run);
   return write_document({}, std::move(*document), format, run.writing, run.file, run.reading,

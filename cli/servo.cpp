@@ -30,31 +30,18 @@ ServoMap with_link_names(ServoMap map, const Document& robot) {
 }
 
 Result<Document> document_of_run(const FlowRun& run, const ServoMap& map, const Document* skeleton,
-                                 const Format& format, Diagnostics& diagnostics) {
+                                 Diagnostics& diagnostics) {
   Document document;
   const auto put = [&document](auto&& made) -> Result<Document> {
     if (!made) return fail(std::move(made.error()));
     document.content = std::move(*made);
     return std::move(document);
   };
-  const bool has_robot = skeleton != nullptr && is_robot(skeleton_of(*skeleton));
-  const bool is_table = format.name == "csv";
-  if (format.name == "choreonoid" || (has_robot && !is_table)) {
-    const Skeleton* robot = has_robot ? &skeleton_of(*skeleton) : nullptr;
-    const ServoMap own = has_robot ? with_link_names(map, *skeleton) : map;
-    return put(unroll(run, own, robot, diagnostics));
-  }
-  if (skeleton != nullptr) {
-    return put(
-        motion_of_run(run, with_link_names(map, *skeleton), skeleton_of(*skeleton), diagnostics));
-  }
-  if (!is_table && format.name != "json") {
-    return fail(make_error(ErrorKind::Usage, "CLI001",
-                           fmt::format("a flow has no skeleton, which {} needs: --skeleton names "
-                                       "one, or write .seq or .csv",
-                                       format.name)));
-  }
-  return put(motion_of_run(run, map, loose_joints_of(map), diagnostics));
+  if (skeleton == nullptr) return put(unroll(run, map, nullptr, diagnostics));
+  const ServoMap own = with_link_names(map, *skeleton);
+  const Skeleton& joints = skeleton_of(*skeleton);
+  if (is_robot(joints)) return put(unroll(run, own, &joints, diagnostics));
+  return put(motion_of_run(run, own, joints, diagnostics));
 }
 
 }  // namespace kinefile::cli

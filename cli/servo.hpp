@@ -15,11 +15,11 @@ Result<ServoMap> load_servo_map(const std::string& path, Diagnostics& diagnostic
 /// joint name its link.
 ServoMap with_link_names(ServoMap map, const Document& robot);
 
-/// What a robot did, as a format has it: a body motion for .seq and where a robot is to become a
-/// figure; else a motion, of the skeleton, or without one of the map's joints alone, in degrees.
+/// What a robot did: displacements of the joints of a robot, or of the map's; or the motion of a
+/// figure.
 /// \param skeleton  a robot or a figure whose joints the map names; may be null
-/// \errors CLI001 (Usage) if the format needs a skeleton; SVM010
+/// \errors SVM010
 Result<Document> document_of_run(const FlowRun& run, const ServoMap& map, const Document* skeleton,
-                                 const Format& format, Diagnostics& diagnostics);
+                                 Diagnostics& diagnostics);
 
 }  // namespace kinefile::cli

@@ -37,7 +37,9 @@ struct Component {
   ComponentKind kind = ComponentKind::Values;
   std::string content;  ///< what it is: `kJointDisplacement` in order of joint ids, `kLinkPosition`
                         ///< in order of links, `kZmp`, or any other word
-  std::size_t num_parts = 1;  ///< 1 for vectors
+  std::size_t num_parts = 1;            ///< 1 for vectors
+  std::vector<std::string> part_names;  ///< of joints or links, where the source names them (CSV, a
+                                        ///< servo map); empty otherwise
   PoseForm pose_form = PoseForm::Quaternion;
   bool is_root_relative = false;  ///< of vectors: in the frame of the root link, not the world's
   std::size_t num_frames = 0;

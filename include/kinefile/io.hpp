@@ -31,9 +31,10 @@ class FileBytes {
 Resolver files_beside(const std::string& path);
 
 /// Reads a document from a file.
-/// \param name    the stem of a set of files, too, where `format` is one; "-" is standard input; diagnostics then call it <stdin>
-/// \param format  null: found from the content, then from the extension
-/// \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the reader's
+/// \param name    the stem of a set of files, too, where `format` is one; "-" is standard input;
+/// diagnostics then call it <stdin> \param format  null: found from the content, then from the
+/// extension \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the
+/// reader's
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 

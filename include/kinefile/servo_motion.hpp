@@ -32,9 +32,6 @@ Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleto
 Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skeleton& skeleton,
                              Diagnostics& diagnostics);
 
-/// The joints of a map in its order, each turning on its own, in degrees: for tables of angles.
-Skeleton loose_joints_of(const ServoMap& map);
-
 /// The joints that a map names, out of a motion: by joint or JOINT.CHANNEL, whatever its angle
 /// unit. Frames with times of their own are interpolated at the map's ticks.
 /// \errors SVM010 (Usage) if it has none of them; those that are missing are told and left out,
@@ -42,8 +39,9 @@ Skeleton loose_joints_of(const ServoMap& map);
 Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
                                       Diagnostics& diagnostics);
 
-/// The joints that a map names, out of joint displacements: joint ids by the robot's joints, or
-/// without a robot in the order of the map's entries. As above otherwise.
+/// The joints that a map names, out of joint displacements: joint ids by the robot's joints;
+/// without a robot joints by the names that the motion has of them, or else in the order of the
+/// map's entries. As above otherwise.
 /// \errors BRG010 (Usage) if there are no joint displacements; SVM010
 Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& map,
                                       const Skeleton* robot, Diagnostics& diagnostics);

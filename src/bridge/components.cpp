@@ -16,6 +16,7 @@ constexpr std::array<const char*, 7> kFreeChannels = {"x", "y", "z", "qw", "qx",
 constexpr std::array<const char*, 6> kRpyChannels = {"x", "y", "z", "roll", "pitch", "yaw"};
 
 std::string part_name(const Component& component, std::size_t part) {
+  if (part < component.part_names.size()) return component.part_names[part];
   if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
     return fmt::format("link{}", part);
   }

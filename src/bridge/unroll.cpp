@@ -86,12 +86,19 @@ Result<std::vector<MappedAngle>> angles_in(const Skeleton& skeleton, const Servo
   return mapped_angles(map, find, where, diagnostics);
 }
 
-/// Where joints stand among displacements: by a robot's columns behind its root's, or in the order
-/// of the map.
+/// Where joints stand among displacements: by a robot's columns behind its root's, by the names of
+/// parts, or in the order of the map.
 Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* robot,
-                                           std::size_t num_parts, Diagnostics& diagnostics) {
+                                           std::size_t num_parts,
+                                           const std::vector<std::string>& names,
+                                           Diagnostics& diagnostics) {
   using Found = std::optional<bridging::AngleColumn>;
   const auto find = [&](std::size_t e) {
+    if (robot == nullptr && !names.empty()) {
+      const auto name = std::find(names.begin(), names.end(), map.entries[e].joint);
+      return name == names.end() ? Found()
+                                 : Found({static_cast<std::size_t>(name - names.begin()), 1.0});
+    }
     if (robot == nullptr) return e < num_parts ? Found({e, 1.0}) : Found();
     Found found = bridging::find_angle(*robot, map.entries[e].joint);
     if (!found || found->column < kRootColumns) return Found();
@@ -197,7 +204,7 @@ Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleto
     rest = rest_coordinates(*robot);
     rest.erase(rest.begin(), rest.begin() + kRootColumns);
   }
-  const auto angles = displaced(map, robot, rest.size(), diagnostics);
+  const auto angles = displaced(map, robot, rest.size(), {}, diagnostics);
   if (!angles) return fail(angles.error());
   BodyMotion motion;
   Component& component = motion.components.emplace_back();
@@ -207,6 +214,9 @@ Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleto
   component.num_frames = run.num_ticks + 1;
   component.timeline = timeline_of(map);
   component.values = rows_of(run, map, rest, *angles);
+  if (robot == nullptr) {
+    for (const ServoMapEntry& entry : map.entries) component.part_names.push_back(entry.joint);
+  }
   return motion;
 }
 
@@ -220,18 +230,6 @@ Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skel
   motion.clip.timeline = timeline_of(map);
   motion.clip.values = rows_of(run, map, rest_coordinates(skeleton), *angles);
   return motion;
-}
-
-Skeleton loose_joints_of(const ServoMap& map) {
-  Skeleton skeleton;
-  for (const ServoMapEntry& entry : map.entries) {
-    const std::size_t index = skeleton.joints.size();
-    Joint& joint = skeleton.joints.emplace_back();
-    joint.name = entry.joint;
-    joint.dofs.push_back({DofKind::Rotation, Vec3::UnitX(), index, 0});
-    skeleton.coordinates.push_back({index, "q"});
-  }
-  return skeleton;
 }
 
 Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
@@ -251,9 +249,9 @@ Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& 
     return fail(make_error(ErrorKind::Usage, "BRG010",
                            "expected displacements of joints (JointDisplacement), found none"));
   }
-  const auto angles = displaced(map, robot, joints->num_parts, diagnostics);
+  const auto angles = displaced(map, robot, joints->num_parts, joints->part_names, diagnostics);
   if (!angles) return fail(angles.error());
-  if (robot == nullptr && joints->num_parts != map.entries.size()) {
+  if (robot == nullptr && joints->part_names.empty() && joints->num_parts != map.entries.size()) {
     diagnostics.add(Severity::Warning, "SVM012",
                     fmt::format("expected {} joints, as the servo map has, found {}; without "
                                 "--skeleton they are taken in its order",

@@ -182,15 +182,19 @@ TEST(TrajectoryOf, FramesWithTimesAreInterpolatedAtTicks) {
   EXPECT_EQ(trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics).error().code, "KEY001");
 }
 
-TEST(TrajectoryOf, LooseJointsAreTheMapsInDegrees) {
+TEST(TrajectoryOf, NamesOfPartsTellWithoutARobot) {
   Diagnostics diagnostics;
-  const ServoMap map = map_of({"a", "b"});
-  const Skeleton loose = loose_joints_of(map);
-  EXPECT_TRUE(validate(loose));
-  const auto motion = motion_of_run(small_run(), map, loose, diagnostics);
-  ASSERT_TRUE(motion);
-  EXPECT_EQ(column_names(loose), (std::vector<std::string>{"a.q", "b.q"}));
-  EXPECT_NEAR(motion->clip.row(2)[1], -4, 1e-12);
+  const auto body = unroll(small_run(), map_of({"a", "b"}), nullptr, diagnostics);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->components[0].part_names, (std::vector<std::string>{"a", "b"}));
+  const auto trajectory = trajectory_of(*body, map_of({"b", "c", "a"}), nullptr, diagnostics);
+  ASSERT_TRUE(trajectory);
+  EXPECT_EQ(trajectory->joints, (std::vector<std::string>{"b", "a"}));
+  EXPECT_EQ(diagnostics.items().at(0).code, "SVM011");
+  for (std::size_t frame = 0; frame < trajectory->num_frames; ++frame) {
+    EXPECT_EQ(trajectory->angles[frame * 2], body->components[0].row(frame)[1]);
+    EXPECT_EQ(trajectory->angles[frame * 2 + 1], body->components[0].row(frame)[0]);
+  }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Group& group_of(std::vector<Group>& groups, ComponentKind kind, const std::strin
     return group.kind == kind && group.content == content;
   });
   if (found != groups.end()) return *found;
-  groups.push_back({kind, content, {}});
+  groups.push_back({kind, content, {}, {}});
   return groups.back();
 }
 
@@ -74,7 +74,9 @@ std::size_t take_columns(const TableReader& reader, const std::vector<Field>& he
     return 0;
   }
   if (split.second == "q") {
-    group_of(groups, ComponentKind::Values, content_of(name)).columns.push_back(first);
+    Group& group = group_of(groups, ComponentKind::Values, content_of(name));
+    group.columns.push_back(first);
+    group.names.push_back(name);
     return 1;
   }
   const std::size_t count = count_of_pose_channels(header, first);
@@ -98,6 +100,7 @@ std::size_t take_columns(const TableReader& reader, const std::vector<Field>& he
   Group& group = is_pose ? group_of(groups, ComponentKind::Poses, std::string(kLinkPosition))
                          : group_of(groups, ComponentKind::Vectors, name);
   for (std::size_t k = 0; k < count; ++k) group.columns.push_back(first + k);
+  if (is_pose) group.names.push_back(name);
   return count;
 }
 
@@ -136,12 +139,11 @@ std::map<std::string, std::size_t> ids_of(const Document& robot) {
 }
 
 /// Brings columns of joints into the order of the robot's joint ids.
-void put_in_order(const TableReader& reader, const std::vector<Field>& header,
-                  std::vector<std::size_t>& columns) {
+void put_in_order(const TableReader& reader, const std::vector<Field>& header, Group& group) {
   const std::map<std::string, std::size_t> ids = ids_of(*reader.options.skeleton);
   std::vector<std::size_t> ordered(
       skeleton_of(*reader.options.skeleton).coordinates.size() - kRootColumns, kNoColumn);
-  for (const std::size_t column : columns) {
+  for (const std::size_t column : group.columns) {
     const Field& field = header[column];
     const auto id = ids.find(split_name(field.text).first);
     const bool is_known = id != ids.end() && id->second < ordered.size();
@@ -164,7 +166,8 @@ void put_in_order(const TableReader& reader, const std::vector<Field>& header,
                              num_missing, ordered.size()),
                  header[0].at);
   }
-  columns = std::move(ordered);
+  group.columns = std::move(ordered);
+  group.names.clear();  // the robot has them
 }
 
 /// Whether the skeleton is a robot's, with joints that have ids.
@@ -182,7 +185,7 @@ std::vector<Group> parse_header(const TableReader& reader, const std::vector<Fie
   for (Group& group : groups) {
     const bool is_of_joints = group.kind == ComponentKind::Values &&
                               group.content == kJointDisplacement && has_joint_ids(reader.options);
-    if (is_of_joints) put_in_order(reader, header, group.columns);
+    if (is_of_joints) put_in_order(reader, header, group);
   }
   return groups;
 }

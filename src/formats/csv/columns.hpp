@@ -31,6 +31,7 @@ struct Group {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
   std::vector<std::size_t> columns;  ///< `kNoColumn` for values that are 0
+  std::vector<std::string> names;    ///< of joints and links, one a part
 };
 
 /// Finds out what the columns are by the header; joints go to their ids by their names where

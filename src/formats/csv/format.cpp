@@ -6,11 +6,15 @@
 #include "formats/csv/flow_table.hpp"
 #include "formats/csv/read.hpp"
 #include "text/printer.hpp"
+#include "text/scanner.hpp"
 
 namespace kinefile::csv {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".csv"};
+
+/// Tables that are read begin with the time.
+bool probe(std::string_view head) { return text::starts_with_ignoring_case(head, "time,"); }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics&) {
@@ -46,7 +50,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 Format format() {
   return {"csv",       "comma-separated values: a row a frame, a column a channel",
           kExtensions, {},
-          nullptr,     read,
+          probe,       read,
           write,       true};
 }
 

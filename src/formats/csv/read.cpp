@@ -58,6 +58,7 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   component.kind = group.kind;
   component.content = group.content;
   component.num_parts = group.columns.size() / component.width();
+  component.part_names = group.names;
   component.num_frames = rows.starts.size();
   component.timeline = timeline;
   component.values.reserve(component.num_frames * component.row_size());

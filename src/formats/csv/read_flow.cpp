@@ -216,9 +216,13 @@ class FlowReader {
 }  // namespace
 
 bool is_flow_header(const std::vector<Field>& header) {
-  return header.size() > 1 && lowered(trimmed(header[0].text)) == kTime &&
-         std::all_of(header.begin(), header.end(),
-                     [](const Field& field) { return column_of(field.text).has_value(); });
+  bool has_time = false;
+  for (const Field& field : header) {
+    const auto column = column_of(field.text);
+    if (!column) return false;
+    has_time |= column->word == kTime;
+  }
+  return has_time && header.size() > 1;
 }
 
 std::optional<PoseFlow> read_flow(const TableReader& reader, Fields& fields,

@@ -44,8 +44,10 @@ double seconds_of(const Keyframes& made, const ServoMap& map) {
 }
 
 void print_table(const Keyframe& keyframe, const Keyframes& made, const ServoMap& map) {
-  fmt::print(stderr, "{} poses, {:.3f} s after {} ticks of lead-in\n", made.ticks.size(),
-             seconds_of(made, map), keyframe.options.lead_in_ticks);
+  const int lead_in = keyframe.options.lead_in_ticks;
+  fmt::print(stderr, "{} pose{}, {:.3f} s after {} tick{} of lead-in\n", made.ticks.size(),
+             made.ticks.size() == 1 ? "" : "s", seconds_of(made, map), lead_in,
+             lead_in == 1 ? "" : "s");
   fmt::print(stderr, "{:<24}{:>10}{:>10}{:>10}  degrees\n", "joint", "largest", "at s", "RMS");
   for (const KeyframeError& error : made.errors) {
     fmt::print(stderr, "{:<24}{:>10.3f}{:>10.3f}{:>10.3f}\n", error.joint, error.largest,

@@ -65,7 +65,7 @@ PoseFlow flow_of(Bytes& bytes) {
   PoseFlow flow;
   flow.format = bytes.flag() ? FlowFormat::V1R4 : FlowFormat::WordN;
   flow.num_sliders = static_cast<std::size_t>(1 + bytes.below(max_sliders(flow.format)));
-  flow.num_sliders = std::min<std::size_t>(flow.num_sliders, 1 + bytes.below(64));
+  flow.num_sliders = std::min(flow.num_sliders, static_cast<std::size_t>(1 + bytes.below(64)));
   const auto num_blocks = static_cast<std::size_t>(1 + bytes.below(20));
   for (std::size_t b = 0; b < num_blocks; ++b) {
     Block& block = flow.blocks.emplace_back();

@@ -139,7 +139,7 @@ Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options,
   const auto end = run_from(machine, first);
   if (!end) return fail(end.error());
   machine.run.end = *end;
-  machine.run.num_ticks = machine.tick;
+  machine.run.num_ticks = static_cast<std::size_t>(machine.tick);
   machine.run.variables = machine.variables;
   return std::move(machine.run);
 }

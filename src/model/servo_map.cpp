@@ -6,7 +6,8 @@
 namespace kinefile {
 
 double angle_of_word(const ServoMapEntry& entry, double word) {
-  return entry.sign * (word - entry.offset) / entry.units_per_degree * kRadiansPerDegree;
+  // A zero that is added makes 0 of -0, which would only puzzle.
+  return entry.sign * (word - entry.offset) / entry.units_per_degree * kRadiansPerDegree + 0.0;
 }
 
 double word_of_angle(const ServoMapEntry& entry, double angle) {

@@ -3,8 +3,9 @@
 """Runs the commands in Markdown files and compares what they print.
 
 A block fenced as ```console is a transcript: lines `$ command` are run by sh in a folder of their
-own a file, with the programs of --bin on the path and walk.bvh (a walk of 60 frames) in it; what
-follows is what they print, stdout and stderr together, and `=> N` the exit code if it is not 0.
+own a file, with the programs of --bin on the path and walk.bvh (a walk of 60 frames) in it, for
+documents our other examples, too; what follows is what they print, stdout and stderr together, and
+`=> N` the exit code if it is not 0.
 A line `...` stands for any lines. `$DATA` is the folder of real files: a block that uses it is
 skipped, by name, where there is none. --accept writes what was printed into the files."""
 
@@ -12,6 +13,7 @@ import argparse
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -53,6 +55,12 @@ def matches(expected, found):
     return re.fullmatch(pattern, found, re.S) is not None
 
 
+def examples():
+    """The example files that documents speak of: not the sources of programs."""
+    sources = (".cpp", ".hpp", "CMakeLists.txt")
+    return [p for p in sorted((ROOT / "examples").iterdir()) if not p.name.endswith(sources)]
+
+
 def check_file(path, environment, accept):
     """Runs the transcripts of a file; returns (commands run, faults, blocks skipped)."""
     text = path.read_text()
@@ -60,6 +68,9 @@ def check_file(path, environment, accept):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["make_walk", "walk.bvh", "60", "30"], cwd=folder, env=environment,
                        check=True)
+        if ROOT / "tests" not in path.parents:
+            for example in examples():
+                shutil.copy(example, folder)
         pieces, end = [], 0
         for block in BLOCK.finditer(text):
             pieces.append(text[end:block.start(2)])

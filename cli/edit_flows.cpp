@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "numbers.hpp"
@@ -39,16 +40,30 @@ std::optional<MirrorPair> parse_pair(const std::string& text) {
   return MirrorPair{*slider, *partner, *sign};
 }
 
-/// The pairs of the project that `--project` names.
-Result<std::vector<MirrorPair>> project_pairs(const PoseFlow& flow, const EditContext& context) {
-  const auto project = load_project(context.reading, context.diagnostics);
-  if (!project) return fail(project.error());
-  if (*project == nullptr) {
-    return fail(make_error(ErrorKind::Usage, "CLI001",
-                           "expected --project, which says what the pairs of sliders are, or "
-                           "mirror=A:B,..."));
+/// The pairs of the project that `--project` names, but of sliders in pairs that were given those.
+Result<std::vector<MirrorPair>> project_pairs(const PoseFlow& flow, const RobotProject& project,
+                                              const std::vector<MirrorPair>& given,
+                                              Diagnostics& diagnostics) {
+  std::vector<MirrorPair> pairs = mirror_pairs_of(project, flow.num_sliders);
+  std::erase_if(pairs, [&given](const MirrorPair& pair) {
+    return std::any_of(given.begin(), given.end(), [&pair](const MirrorPair& other) {
+      return other.slider == pair.slider || other.slider == pair.partner ||
+             other.partner == pair.slider || other.partner == pair.partner;
+    });
+  });
+  std::string words;
+  for (const MirrorPair& pair : doubtful_pairs(flow, pairs)) {
+    words += fmt::format("{}{}:{}:1", words.empty() ? "" : ",", pair.slider, pair.partner);
   }
-  return mirror_pairs_of(**project, flow.num_sliders);
+  if (!words.empty()) {
+    diagnostics.add(Severity::Warning, "FLW015",
+                    fmt::format("the project does not say whether a pair changes its sign; all are "
+                                "taken to, though words of some are alike on both sides: mirror={} "
+                                "keeps theirs",
+                                words));
+  }
+  pairs.insert(pairs.end(), given.begin(), given.end());
+  return pairs;
 }
 
 /// Reads a list of sliders, "0-5+12"; nothing if it is none.
@@ -84,14 +99,19 @@ Apply parse_flow_mirror(const std::string* argument) {
       pairs.push_back(*pair);
     }
   }
-  const bool is_given = argument != nullptr;
-  return on_flow(
-      [pairs, is_given](const PoseFlow& flow, const EditContext& context) -> Result<PoseFlow> {
-        if (is_given) return mirrored_flow(flow, pairs, context.diagnostics);
-        const auto of_project = project_pairs(flow, context);
-        if (!of_project) return fail(of_project.error());
-        return mirrored_flow(flow, *of_project, context.diagnostics);
-      });
+  return on_flow([pairs](const PoseFlow& flow, const EditContext& context) -> Result<PoseFlow> {
+    const auto project = load_project(context.reading, context.diagnostics);
+    if (!project) return fail(project.error());
+    if (*project == nullptr && pairs.empty()) {
+      return fail(make_error(ErrorKind::Usage, "CLI001",
+                             "expected --project, which says what the pairs of sliders are, or "
+                             "mirror=A:B,..."));
+    }
+    if (*project == nullptr) return mirrored_flow(flow, pairs, context.diagnostics);
+    const auto all = project_pairs(flow, **project, pairs, context.diagnostics);
+    if (!all) return fail(all.error());
+    return mirrored_flow(flow, *all, context.diagnostics);
+  });
 }
 
 Apply parse_flow_reverse(const std::string* argument) {

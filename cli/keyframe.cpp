@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "json_output.hpp"
+#include "numbers.hpp"
 #include "report.hpp"
 #include "servo.hpp"
 #include "writing.hpp"
@@ -146,10 +147,12 @@ void add_keyframe(CLI::App& app, Globals& globals) {
                    "A YAML file that says which slider moves which joint, and how")
       ->required()
       ->type_name("FILE");
-  CLI::Option* poses = command
-                           ->add_option("--poses", keyframe->options.num_poses,
-                                        "At most so many poses, with the least largest error")
-                           ->type_name("N");
+  CLI::Option* poses =
+      command
+          ->add_option("--poses", keyframe->options.num_poses,
+                       "At most so many poses, with the least largest error")
+          ->check([](const std::string& text) { return check_count(text, 1, 1'000'000); })
+          ->type_name("N");
   command
       ->add_option("--tolerance", keyframe->options.tolerance,
                    "As few poses as stay within so many degrees of the motion, at every tick")

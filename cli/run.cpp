@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "numbers.hpp"
 #include "report.hpp"
 #include "run_inputs.hpp"
 #include "run_output.hpp"
@@ -16,7 +17,7 @@ namespace kinefile::cli {
 namespace {
 
 /// A run is kept in memory: this is two days.
-constexpr double kMostTicks = 10'000'000;
+constexpr std::uint64_t kMostTicks = 10'000'000;
 
 struct Run {
   std::string file;
@@ -86,8 +87,7 @@ Result<RunOptions> options_of(const Run& run, const Execution& execution) {
   options.skips_division_by_zero = run.skips_division_by_zero;
   if (run.max_ticks) options.max_ticks = *run.max_ticks;
   if (run.max_seconds) {
-    options.max_ticks = std::min(ticks_within(*run.max_seconds, tick_seconds),
-                                 static_cast<std::uint64_t>(kMostTicks));
+    options.max_ticks = std::min(ticks_within(*run.max_seconds, tick_seconds), kMostTicks);
   }
   return options;
 }
@@ -219,10 +219,11 @@ std::string check_variable_value(const std::string& text) {
 }
 
 void add_time_options(CLI::App& command, Run& run) {
-  const auto is_time = CLI::Range(0.0, 1e12);
+  const auto is_time = [](const std::string& text) { return check_number(text, 0, 1e12); };
   command
       .add_option("--loops", run.num_loops,
                   "How often each loop goes on before it is left (default 0)")
+      ->check([](const std::string& text) { return check_count(text, 0, 1'000'000'000); })
       ->type_name("N");
   command
       .add_option("--hold", run.hold_seconds,
@@ -232,7 +233,7 @@ void add_time_options(CLI::App& command, Run& run) {
   command
       .add_option("--tick-us", run.tick_us,
                   "A tick in microseconds; else the project's clock, or 1/60 s")
-      ->check(CLI::Range(1.0, 1e9))
+      ->check([](const std::string& text) { return check_number(text, 1, 1e9); })
       ->type_name("N");
   auto* seconds = command
                       .add_option("--max-seconds", run.max_seconds,
@@ -240,7 +241,7 @@ void add_time_options(CLI::App& command, Run& run) {
                       ->check(is_time)
                       ->type_name("SECONDS");
   command.add_option("--max-ticks", run.max_ticks, "Stop after so many ticks")
-      ->check(CLI::Range(0.0, kMostTicks))
+      ->check([](const std::string& text) { return check_count(text, 0, kMostTicks); })
       ->excludes(seconds)
       ->type_name("N");
 }

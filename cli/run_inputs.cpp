@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "numbers.hpp"
 
 namespace kinefile::cli {
@@ -84,6 +86,13 @@ struct Reader {
       if (column.kind == Column::Tick && (cell != "tick" || has_tick)) {
         return refuse(row, cell, "RUN010",
                       fmt::format("expected columns tick, held and v0 to v255, found '{}'", cell));
+      }
+      const bool is_again = std::any_of(columns.begin(), columns.end(), [&](const Column& other) {
+        return other.kind == column.kind && other.variable == column.variable;
+      });
+      if (is_again) {
+        return refuse(row, cell, "RUN010",
+                      fmt::format("expected each column once, found '{}' again", cell));
       }
       has_tick = has_tick || column.kind == Column::Tick;
       columns.push_back(column);

@@ -24,6 +24,7 @@ NOT_BY_A_FILE = {
     "CSV009": "tests/formats/csv/csv_test.cpp",
     "HRP005": "tests/formats/hrpsys/hrpsys_test.cpp",  # by a name
     "HRP008": "tests/formats/hrpsys/hrpsys_test.cpp",  # writing
+    "HRP011": "tests/formats/hrpsys/hrpsys_test.cpp",
     "HRP009": "tests/formats/hrpsys/hrpsys_test.cpp",  # of two files
     "CSV001": "tests/cli/convert.md",  # writing
     "AMC002": "tests/cli/acclaim.md",  # found beside the file
@@ -34,6 +35,8 @@ NOT_BY_A_FILE = {
     "SVM010": "tests/unit/unroll_test.cpp",  # a map and a motion
     "SVM011": "tests/unit/unroll_test.cpp",
     "SVM013": "tests/cli/keyframe.md",  # a robot project
+    "SVM014": "tests/cli/keyframe.md",
+    "SVM015": "tests/cli/keyframe.md",  # a flow with fewer sliders
     "SVM012": "tests/unit/unroll_test.cpp",
     "URD010": "tests/formats/robots/urdf_test.cpp",  # too large for a file here
     "WRL013": "tests/formats/robots/wrl_test.cpp",

@@ -20,7 +20,7 @@ tools/build.sh asan
 ctest --test-dir build/sanitize --output-on-failure
 
 say "Fuzzing each reader for a while"
-tools/fuzz.sh "${FUZZ_SECONDS:-30}"
+tools/fuzz.sh "${FUZZ_SECONDS:-20}"
 
 say "The core for the browser: its unit tests under Node"
 tools/build.sh wasm

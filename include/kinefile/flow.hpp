@@ -113,6 +113,10 @@ struct MirrorPair {
 /// robots; the project has no word for them.
 std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t num_sliders);
 
+/// Of pairs of negative sign those whose words are alike in some pose, and opposite in none: such
+/// joints may well turn alike on both sides, and keep their sign in a mirror.
+std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<MirrorPair>& pairs);
+
 /// The flow in a mirror: poses swap the words of pairs, and whether the servos of the same numbers
 /// have power. -32768 becomes 32767, with a note.
 /// \errors FLW002 (Usage) if a slider is in two pairs or is none of the flow

@@ -138,7 +138,7 @@ Result<Task> task_of(const JointTrajectory& trajectory, const ServoMap& map) {
   if (!entries) return fail(std::move(entries.error()));
   task.entries = std::move(*entries);
   if (trajectory.num_frames == 0) {
-    return fail(make_error(ErrorKind::Usage, "KEY001", "expected frames, found none"));
+    return fail(make_error(ErrorKind::InvalidInput, "KEY001", "expected frames, found none"));
   }
   const double frames = static_cast<double>(trajectory.num_frames - 1);
   const auto num_ticks =

@@ -94,12 +94,12 @@ Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
                             Diagnostics& diagnostics) {
   const Component* links = find_component(motion, ComponentKind::Poses, kLinkPosition);
   const Component* zmp = find_component(motion, ComponentKind::Vectors, kZmp);
+  if (zmp != nullptr && zmp->is_root_relative == is_root_relative) return motion;
   if (zmp == nullptr || links == nullptr || links->num_frames == 0) {
     return fail(make_error(ErrorKind::Usage, "BRG010",
                            "expected a ZMP and poses of the root link, found not both"));
   }
   BodyMotion changed = motion;
-  if (zmp->is_root_relative == is_root_relative) return changed;
   if (zmp->num_frames > links->num_frames) {
     diagnostics.add(Severity::Warning, "BRG014",
                     fmt::format("there are {} frames of ZMP and {} of links; the last root pose "

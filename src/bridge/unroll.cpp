@@ -46,11 +46,13 @@ struct MappedAngle {
   double radians = 1;  ///< in a unit of the row
 };
 
-Error no_joints(std::string_view where) {
-  return make_error(ErrorKind::Usage, "SVM010",
-                    fmt::format("expected joints of the servo map in the {}, found none that turns "
-                                "about one axis, or JOINT.CHANNEL that does",
-                                where));
+Error no_joints(const std::vector<std::string>& missing, std::string_view where) {
+  return make_error(
+      ErrorKind::Usage, "SVM010",
+      fmt::format("expected joints of the servo map ({}) in the {}, found none of "
+                  "them; a joint that turns about several axes is JOINT.CHANNEL, such "
+                  "as LeftArm.Zrotation",
+                  listed(missing), where));
 }
 
 /// The joints of a map that a row has; the others are told.
@@ -67,7 +69,7 @@ Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& 
       missing.push_back(map.entries[e].joint);
     }
   }
-  if (angles.empty()) return fail(no_joints(where));
+  if (angles.empty()) return fail(no_joints(missing, where));
   if (!missing.empty()) {
     diagnostics.add(Severity::Warning, "SVM011",
                     fmt::format("joints of the servo map that the {} does not have, or not as one "
@@ -115,8 +117,13 @@ Result<void> expect_robot(const Skeleton* robot) {
                          "joints move in one way each"));
 }
 
-double angle_at(const FlowRun& run, std::size_t tick, const ServoMapEntry& entry) {
-  if (entry.slider >= run.num_sliders) return angle_of_word(entry, 0);
+/// The angle of a joint at a tick; of a slider that the flow does not have, in the base pose.
+double angle_at(const FlowRun& run, std::size_t tick, const ServoMap& map,
+                const ServoMapEntry& entry) {
+  if (entry.slider >= run.num_sliders) {
+    const bool has_base = entry.slider < map.base_pose.size();
+    return angle_of_word(entry, has_base ? map.base_pose[entry.slider] : 0);
+  }
   return angle_of_word(entry, run.sliders[tick * run.num_sliders + entry.slider]);
 }
 
@@ -137,10 +144,26 @@ std::vector<double> rows_of(const FlowRun& run, const ServoMap& map,
     const std::size_t first = values.size();
     values.insert(values.end(), rest.begin(), rest.end());
     for (const MappedAngle& angle : angles) {
-      values[first + angle.column] = angle_at(run, tick, map.entries[angle.entry]) / angle.radians;
+      values[first + angle.column] =
+          angle_at(run, tick, map, map.entries[angle.entry]) / angle.radians;
     }
   }
   return values;
+}
+
+/// Tells of sliders that the flow does not have.
+void tell_missing_sliders(const FlowRun& run, const ServoMap& map,
+                          const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
+  std::vector<std::string> missing;
+  for (const MappedAngle& angle : angles) {
+    const ServoMapEntry& entry = map.entries[angle.entry];
+    if (entry.slider >= run.num_sliders) missing.push_back(entry.joint);
+  }
+  if (missing.empty()) return;
+  diagnostics.add(Severity::Warning, "SVM015",
+                  fmt::format("the flow has {} sliders, and none for {}: these joints stay in the "
+                              "map's base pose",
+                              run.num_sliders, listed(missing)));
 }
 
 /// Rows of numbers over time, of which a trajectory takes some columns.
@@ -206,6 +229,7 @@ Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleto
   }
   const auto angles = displaced(map, robot, rest.size(), {}, diagnostics);
   if (!angles) return fail(angles.error());
+  tell_missing_sliders(run, map, *angles, diagnostics);
   BodyMotion motion;
   Component& component = motion.components.emplace_back();
   component.kind = ComponentKind::Values;
@@ -224,6 +248,7 @@ Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skel
                              Diagnostics& diagnostics) {
   const auto angles = angles_in(skeleton, map, "skeleton", diagnostics);
   if (!angles) return fail(angles.error());
+  tell_missing_sliders(run, map, *angles, diagnostics);
   Motion motion{skeleton, {}};
   motion.clip.num_frames = run.num_ticks + 1;
   motion.clip.num_coordinates = skeleton.coordinates.size();
@@ -236,6 +261,14 @@ Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
                                       Diagnostics& diagnostics) {
   const auto angles = angles_in(motion.skeleton, map, "motion", diagnostics);
   if (!angles) return fail(angles.error());
+  const std::size_t num_columns = motion.clip.num_coordinates;
+  if (angles->size() < num_columns) {
+    diagnostics.add(
+        Severity::Note, "SVM014",
+        fmt::format("servos follow {} of the motion's {} columns; the others, and where "
+                    "the figure goes, are left out",
+                    angles->size(), num_columns));
+  }
   const Clip& clip = motion.clip;
   return trajectory_of_rows({clip.values, clip.num_frames, clip.num_coordinates, clip.timeline},
                             map, *angles);
@@ -251,6 +284,12 @@ Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& 
   }
   const auto angles = displaced(map, robot, joints->num_parts, joints->part_names, diagnostics);
   if (!angles) return fail(angles.error());
+  if (motion.components.size() > 1 || angles->size() < joints->num_parts) {
+    diagnostics.add(Severity::Note, "SVM014",
+                    fmt::format("servos follow {} of {} joints; the others and other components, "
+                                "such as where the robot goes, are left out",
+                                angles->size(), joints->num_parts));
+  }
   if (robot == nullptr && joints->part_names.empty() && joints->num_parts != map.entries.size()) {
     diagnostics.add(Severity::Warning, "SVM012",
                     fmt::format("expected {} joints, as the servo map has, found {}; without "

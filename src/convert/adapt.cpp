@@ -78,6 +78,16 @@ Motion take_motion(Document& document) {
   return still;
 }
 
+/// The same skeleton with an end on every last joint, which many readers of BVH ask for.
+Motion with_ends(Motion motion) {
+  const auto children = children_of_joints(motion.skeleton);
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    Joint& joint = motion.skeleton.joints[j];
+    if (children[j].empty() && joint.tips.empty()) joint.tips.push_back({{}, Vec3::Zero()});
+  }
+  return motion;
+}
+
 }  // namespace
 
 Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
@@ -88,7 +98,7 @@ Result<Document> adapted_to(const Format& format, Document document, const Chann
   const bool has_motion = std::holds_alternative<Motion>(document.content);
   const Motion motion = take_motion(document);
   auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
-                 : is_for_bvh ? for_bvh(motion, channels, diagnostics)
+                 : is_for_bvh ? for_bvh(with_ends(motion), channels, diagnostics)
                               : with_channels(motion, channels, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
   if (has_motion) {

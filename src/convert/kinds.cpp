@@ -103,6 +103,28 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
   return turned_up(without_free_joints(*posed), 1, options, diagnostics);
 }
 
+/// The same components with the robot's names of joints, in order of their ids, and of links.
+BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
+  constexpr std::size_t kRootColumns = 7;
+  for (Component& component : body.components) {
+    auto& names = component.part_names;
+    if (component.content == kLinkPosition && component.num_parts <= robot.joints.size()) {
+      names.clear();
+      for (std::size_t part = 0; part < component.num_parts; ++part) {
+        names.push_back(robot.joints[part].name);
+      }
+    }
+    const bool has_ids = component.content == kJointDisplacement && is_robot(robot) &&
+                         component.num_parts + kRootColumns <= robot.coordinates.size();
+    if (!has_ids) continue;
+    names.clear();
+    for (std::size_t id = 0; id < component.num_parts; ++id) {
+      names.push_back(robot.joints[robot.coordinates[kRootColumns + id].joint].name);
+    }
+  }
+  return body;
+}
+
 /// What an hrpsys set has a place for: joints, the root's pose, a ZMP relative to the root.
 Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
                           Diagnostics& diagnostics) {
@@ -176,8 +198,8 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
   document.extras = {};
   document.format.clear();
   if (format.name == "csv" && options.model != nullptr) {
-    tell_dropped(*body, true, diagnostics);
-    return put(pose(*body, skeleton_of(*options.model), options.lenient, diagnostics));
+    return put(Result<Motion>(
+        motion_of_components(with_names_of(*body, skeleton_of(*options.model)), diagnostics)));
   }
   if (format.name == "csv") {
     return put(Result<Motion>(motion_of_components(*body, diagnostics)));

@@ -104,10 +104,11 @@ Result<FlowEnd> run_from(Machine& machine, int first) {
       if (!run_timed(machine, step)) return end_of_time(machine, step);
       guard.reset();
     } else if (guard.is_stuck(machine, number)) {
-      return fail(
-          flow::block_error(machine.flow, number, "RUN003",
-                            fmt::format("the flow goes round without a pose at block {}, tick {}",
-                                        number, machine.tick)));
+      return fail(flow::block_error(
+          machine.flow, number, "RUN003",
+          fmt::format("the flow goes round without a pose at block {}, tick {}, or "
+                      "through more than 100000 blocks at once",
+                      number, machine.tick)));
     } else if (auto done = run_at_once(machine, step); !done) {
       return fail(std::move(done.error()));
     }

@@ -112,7 +112,7 @@ class MapReader {
   void read_head(const Node& root) {
     read_number(root, "sliders", {1, 64}, map_.num_sliders);
     double tick = kSixtieth;
-    read_number(root, "tick", {100, 10'000'000}, tick);
+    read_number(root, "tick", {1, 10'000'000}, tick);
     if (tick != kSixtieth) map_.tick_seconds = tick / kMicroseconds;
     const Node* base = text::yaml::find(root, "base_pose");
     if (base == nullptr) return;

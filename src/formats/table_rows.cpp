@@ -63,6 +63,12 @@ std::optional<Timeline> timeline_of_rows(const text::Source& source, const Table
     timeline.times = std::move(*times);
     return timeline;
   }
+  if (std::abs(times->front()) > kWhole * period) {
+    text::report(
+        source, diagnostics, Severity::Note, codes.late_start,
+        fmt::format("the table begins at {} s; times count from its first row on", times->front()),
+        rows.starts.front());
+  }
   const double whole = std::round(rate);
   timeline.value = whole >= 1 && std::abs(rate - whole) <= kWhole * whole ? whole : rate;
   return timeline;

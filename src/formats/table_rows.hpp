@@ -22,6 +22,7 @@ struct TableRows {
 struct TableTimeCodes {
   const char* not_rising;  ///< an error: a time that is not above the one before, or not finite
   const char* no_rate;     ///< a note: fewer than two rows
+  const char* late_start;  ///< a note: the first time is not 0, and times count from 0
 };
 
 /// The rate that a table's times tell, a whole one where it is within a ten-thousandth of it; the

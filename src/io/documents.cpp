@@ -109,6 +109,17 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
 
 namespace {
 
+/// A file that is no part of the set to be written would be read with it. It is not for us to
+/// delete.
+Result<void> expect_no_file(const std::string& name) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored)) return {};
+  return fail(make_error(ErrorKind::Io, "FMT007",
+                         "the file is there and would be read as part of the set, which has none "
+                         "such; move it away, or name another stem",
+                         name));
+}
+
 /// Writes a set of files, all or none.
 Result<void> write_set(const std::string& path, const Document& document, const Format& format,
                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
@@ -119,7 +130,11 @@ Result<void> write_set(const std::string& path, const Document& document, const 
   }
   std::vector<std::pair<std::string, OutputFile>> files;
   for (const std::string_view part : format.extensions) {
-    if (!format.has_part(document, part)) continue;
+    if (!format.has_part(document, part)) {
+      const auto none = expect_no_file(stem_of_set(path, format) + std::string(part));
+      if (!none) return none;
+      continue;
+    }
     WriteOptions for_part = options;
     for_part.part = part;
     const std::string name = stem_of_set(path, format) + std::string(part);

@@ -106,6 +106,16 @@ TEST(FlowEdit, TakesPairsFromAProject) {
   EXPECT_EQ(pairs[1].partner, 3u);
 }
 
+TEST(FlowEdit, PairsWhoseWordsAreAlikeAreInDoubt) {
+  // 0:1 opposite, 2:3 alike, 4:5 alike once and opposite once.
+  const PoseFlow flow = v1r4_of({start_block(1), pose_block(1, {7, -7, 9, 9, 3, 3}, 2),
+                                 pose_block(1, {0, 0, 5, 4, 2, -2}, 3), end_block()});
+  const auto doubtful = doubtful_pairs(flow, {{0, 1, -1}, {2, 3, -1}, {4, 5, -1}, {9, 8, -1}});
+  ASSERT_EQ(doubtful.size(), 1u);
+  EXPECT_EQ(doubtful[0].slider, 2u);
+  EXPECT_TRUE(doubtful_pairs(flow, {{2, 3, 1}}).empty());
+}
+
 TEST(FlowEdit, AReverseKeepsTheTimesBetweenPoses) {
   PoseFlow flow = straight();
   flow.blocks[3].name = "last";

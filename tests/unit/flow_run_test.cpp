@@ -290,8 +290,10 @@ TEST(RunFlow, StopsAtTheLimitOfTime) {
 TEST(RunFlow, NoticesBlocksThatGoRoundWithoutAPose) {
   const PoseFlow around = v1r4_of({start_block(1), pose_block(2, {0}, 2), loop_block(3, 3),
                                    branch_block(64, Condition::Never, 0, 2, 4), end_block()});
-  EXPECT_EQ(to_string(fault_of(around)),
-            ":30:1: error[RUN003]: the flow goes round without a pose at block 2, tick 2");
+  EXPECT_EQ(
+      to_string(fault_of(around)),
+      ":30:1: error[RUN003]: the flow goes round without a pose at block 2, tick 2, or through "
+      "more than 100000 blocks at once");
   // A counter that wraps around comes back to where it was only after 65536 rounds.
   const PoseFlow counting = v1r4_of({start_block(1), constant_block(64, Arithmetic::Add, 1, 1)});
   EXPECT_EQ(fault_of(counting).code, "RUN003");

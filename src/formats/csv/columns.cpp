@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/words.hpp"
+#include "text/numbers.hpp"
 
 namespace kinefile::csv {
 namespace {
@@ -108,8 +109,11 @@ std::size_t take_columns(const TableReader& reader, const std::vector<Field>& he
 std::vector<Group> grouped(const TableReader& reader, const std::vector<Field>& header) {
   if (lowered(header[0].text) != "time" || header.size() < 2) {
     reader.error("CSV002",
-                 fmt::format("expected a header of 'time' and names of columns, found {}",
-                             text::quoted(header[0].text)),
+                 fmt::format("expected a header of 'time' and names of columns, found {}{}",
+                             text::quoted(header[0].text),
+                             header[0].text.find(';') != std::string::npos
+                                 ? "; commas separate fields, and decimals have points"
+                                 : ""),
                  header[0].at);
     return {};
   }
@@ -170,6 +174,16 @@ void put_in_order(const TableReader& reader, const std::vector<Field>& header, G
   group.names.clear();  // the robot has them
 }
 
+/// The fields without blanks around their texts.
+std::vector<Field> without_blanks(std::vector<Field> fields) {
+  for (Field& field : fields) {
+    while (!field.text.empty() && text::is_blank(field.text.back())) field.text.pop_back();
+    const auto first = std::find_if_not(field.text.begin(), field.text.end(), text::is_blank);
+    field.text.erase(field.text.begin(), first);
+  }
+  return fields;
+}
+
 /// Whether the skeleton is a robot's, with joints that have ids.
 bool has_joint_ids(const ReadOptions& options) {
   if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
@@ -180,7 +194,8 @@ bool has_joint_ids(const ReadOptions& options) {
 
 }  // namespace
 
-std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& header) {
+std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& fields) {
+  const std::vector<Field> header = without_blanks(fields);
   std::vector<Group> groups = grouped(reader, header);
   for (Group& group : groups) {
     const bool is_of_joints = group.kind == ComponentKind::Values &&

@@ -21,6 +21,16 @@ struct TableReader {
   void error(const char* code, std::string message, const char* at) const {
     text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
   }
+  /// Whether quotes are as they should be so far; else that is told.
+  bool are_quotes_good(const Fields& fields) const {
+    if (fields.fault() == nullptr) return true;
+    const bool is_opening = *fields.fault() == '"';
+    error("CSV015",
+          is_opening ? "expected a quote that closes this one, found the end of the file"
+                     : "expected a comma or the end of the line behind a field in quotes",
+          fields.fault());
+    return false;
+  }
 };
 
 /// No column: a value that the table does not have and that rests.

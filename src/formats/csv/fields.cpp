@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "formats/csv/fields.hpp"
 
+#include <algorithm>
+
 #include "text/numbers.hpp"
 
 namespace kinefile::csv {
@@ -16,15 +18,17 @@ std::vector<Field> Fields::take_record() {
 
 Field Fields::take_field() {
   Field field{{}, next_};
-  if (next_ != end_ && *next_ == '"') take_quoted(field.text);
+  const bool is_quoted = next_ != end_ && *next_ == '"';
+  if (is_quoted) take_quoted(field.text);
   const char* const first = next_;
   while (next_ != end_ && *next_ != ',' && !text::is_line_end(*next_)) ++next_;
+  if (is_quoted && fault_ == nullptr && !std::all_of(first, next_, text::is_blank)) fault_ = first;
   field.text.append(first, next_);
   return field;
 }
 
 void Fields::take_quoted(std::string& text) {
-  ++next_;
+  const char* const opening = next_++;
   while (next_ != end_) {
     const char c = *next_++;
     const bool is_quote = c == '"';
@@ -32,6 +36,7 @@ void Fields::take_quoted(std::string& text) {
     next_ += is_quote;
     text += c;
   }
+  if (fault_ == nullptr) fault_ = opening;
 }
 
 std::optional<std::string_view> Fields::take_plain() {

@@ -14,8 +14,7 @@ struct Field {
   const char* at = nullptr;
 };
 
-/// Goes over a table, field by field, as RFC 4180 has it. Lines end with LF, CRLF or CR. A quote
-/// that is not closed reaches to the end of the text.
+/// Goes over a table, field by field, as RFC 4180 has it. Lines end with LF, CRLF or CR.
 class Fields {
  public:
   explicit Fields(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
@@ -30,6 +29,10 @@ class Fields {
   /// The text of a field without quotes and without blanks around it, without a copy; null where
   /// there are quotes.
   std::optional<std::string_view> take_plain();
+  /// Where quotes are not as they should be: one that is never closed, or what follows a closed
+  /// one; null if there is nothing of the kind so far.
+  const char* fault() const { return fault_; }
+
   /// Takes a comma if one follows.
   bool take_comma();
   /// Takes a line end if one follows; true at the end of the text, too.
@@ -40,6 +43,7 @@ class Fields {
 
   const char* next_;
   const char* end_;
+  const char* fault_ = nullptr;
 };
 
 }  // namespace kinefile::csv

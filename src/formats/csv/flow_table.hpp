@@ -10,8 +10,8 @@
 // A flow of servo poses as a table: `time,next,break,sound,s0,...`, a row a pose.
 namespace kinefile::csv {
 
-/// Whether a header is that of a flow.
-bool is_flow_header(const std::vector<Field>& header);
+/// Whether a header is that of a flow. \param project  whose names sliders may have; may be null
+bool is_flow_header(const std::vector<Field>& header, const RobotProject* project);
 
 /// Reads the rows of a flow behind its header. Words are 0x2b01 or 0X0000; with
 /// `options.in_degrees` a number is degrees of a slider that `options.project` shows so. Empty

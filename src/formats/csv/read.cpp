@@ -19,6 +19,7 @@ bool parse_value(const TableReader& reader, Fields& fields, std::vector<double>&
   const char* const at = fields.position();
   const auto plain = fields.take_plain();
   const Field in_quotes = plain ? Field{} : fields.take_field();
+  if (!reader.are_quotes_good(fields)) return false;
   const std::string_view token = plain ? *plain : std::string_view(in_quotes.text);
   const text::Number number = text::parse_number(token);
   if (number.fault != text::NumberFault::None) {
@@ -79,7 +80,7 @@ std::optional<BodyMotion> read_body(const TableReader& reader, Fields& fields,
   rows.num_columns = header.size();
   if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
   const auto timeline = timeline_of_rows(reader.source, rows, reader.options.fps,
-                                         {"CSV006", "CSV007"}, reader.diagnostics);
+                                         {"CSV006", "CSV007", "CSV016"}, reader.diagnostics);
   if (!timeline) return std::nullopt;
   BodyMotion motion;
   for (const Group& group : groups) {
@@ -96,11 +97,12 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   const TableReader reader{source, options, diagnostics};
   Fields fields(source.text());
   const std::vector<Field> header = fields.take_record();
+  if (!reader.are_quotes_good(fields)) return fail(diagnostics.first_error());
   Document document;
   document.format = "csv";
   document.extras.file["encoding"] = decoded->description();
   document.extras.file["line_end"] = text::line_end_of(source.text());
-  if (is_flow_header(header)) {
+  if (is_flow_header(header, options.project.get())) {
     auto flow = read_flow(reader, fields, header);
     if (!flow) return fail(diagnostics.first_error());
     document.content = std::move(*flow);

@@ -28,7 +28,12 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// The column of a name; empty if a flow has none of it.
-std::optional<Column> column_of(std::string_view name) {
+std::optional<Column> column_of(std::string_view name, const RobotProject* project) {
+  for (std::size_t s = 0; project != nullptr && s < project->sliders.size(); ++s) {
+    if (s < max_sliders(FlowFormat::WordN) && project->sliders[s].name == trimmed(name)) {
+      return Column{{}, s};
+    }
+  }
   const std::string lower = lowered(trimmed(name));
   for (const std::string_view word : {kTime, kNext, kBreak, kSound}) {
     if (lower == word) return Column{word, kNoColumn};
@@ -38,6 +43,14 @@ std::optional<Column> column_of(std::string_view name) {
   if (!slider || *slider >= max_sliders(FlowFormat::WordN)) return std::nullopt;
   return Column{{}, *slider};
 }
+
+bool is_of_16_bits(double value) { return value >= -32768 && value <= 32767; }
+
+/// Where a row says its arrows.
+struct Arrows {
+  const char* normal = nullptr;
+  const char* branch = nullptr;
+};
 
 class FlowReader {
  public:
@@ -55,6 +68,7 @@ class FlowReader {
       if (fields.take_line_end()) continue;  // an empty line
       const char* const start = fields.position();
       const std::vector<Field> row = fields.take_record();
+      if (!reader_.are_quotes_good(fields)) return std::nullopt;
       if (row.size() != columns_.size()) {
         error("CSV005", fmt::format("expected {} fields, found {}", columns_.size(), row.size()),
               start);
@@ -75,7 +89,7 @@ class FlowReader {
   bool parse_columns() {
     std::vector<bool> is_known(max_sliders(FlowFormat::WordN));
     for (const Field& field : header_) {
-      const auto column = column_of(field.text);
+      const auto column = column_of(field.text, reader_.options.project.get());
       const bool is_again =
           column && (column->word.empty()
                          ? is_known[column->slider]
@@ -104,6 +118,7 @@ class FlowReader {
     Block block;
     block.line = reader_.source.place_of(start).line;
     block.normal = kOpenArrow;
+    Arrows arrows{start, start};
     PoseBlock pose;
     pose.words.resize(flow_.num_sliders);
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -112,8 +127,10 @@ class FlowReader {
         pose.ticks = integer(row[i], "CSV011", 1, kMaxTicks, "a time of 1 to 239 ticks");
       } else if (column.word == kNext) {
         block.normal = arrow(row[i], kOpenArrow);
+        arrows.normal = row[i].at;
       } else if (column.word == kBreak) {
         block.branch = arrow(row[i], kNoBlock);
+        arrows.branch = row[i].at;
       } else if (column.word == kSound) {
         pose.sound = row[i].text;
       } else {
@@ -122,7 +139,7 @@ class FlowReader {
     }
     block.body = std::move(pose);
     flow_.blocks.push_back(std::move(block));
-    rows_.push_back(start);
+    arrows_.push_back(arrows);
   }
 
   int integer(const Field& field, const char* code, int least, int most, const char* expected) {
@@ -152,14 +169,21 @@ class FlowReader {
     if (const auto word = parse_word(token)) return *word;
     if (token.empty()) return {};
     const text::Number number = text::parse_number(token);
-    if (number.fault != text::NumberFault::None || !reader_.options.in_degrees) {
-      error("CSV013",
-            fmt::format("expected a word such as 0x2b01 or 0X0000{}, found {}",
-                        reader_.options.in_degrees ? " or degrees" : "", text::quoted(token)),
-            field.at);
-      return {};
+    const bool is_number = number.fault == text::NumberFault::None;
+    if (is_number && reader_.options.in_degrees) {
+      return word_of_degrees(number.value, slider, field);
     }
-    return word_of_degrees(number.value, slider, field);
+    if (is_number && number.value == std::floor(number.value) && is_of_16_bits(number.value)) {
+      return {static_cast<std::int16_t>(number.value), true};
+    }
+    error(
+        "CSV013",
+        fmt::format("expected a word such as 0x2b01, 0X0000 or a whole number of 16 bits{}, found "
+                    "{}",
+                    reader_.options.in_degrees ? ", or degrees" : " (--degrees takes degrees)",
+                    text::quoted(token)),
+        field.at);
+    return {};
   }
 
   SliderWord word_of_degrees(double degrees, std::size_t slider, const Field& field) {
@@ -176,7 +200,7 @@ class FlowReader {
     }
     const double base = slider < base_.size() ? base_[slider] : 0;
     const double value = std::round(degrees * project->sliders[slider].units_per_degree + base);
-    if (!(value >= -32768 && value <= 32767)) {
+    if (!is_of_16_bits(value)) {
       error("CSV014",
             fmt::format("expected degrees that a word of 16 bits can say, found {}", degrees),
             field.at);
@@ -185,19 +209,23 @@ class FlowReader {
     return {static_cast<std::int16_t>(value), true};
   }
 
+  void check_arrow(int arrow, int own, int count, const char* at) const {
+    if (arrow < count && arrow != own) return;
+    error("CSV012",
+          arrow == own ? fmt::format("expected another pose than pose {} itself", own)
+                       : fmt::format("expected a pose from 0 to {}, found {}", count - 1, arrow),
+          at);
+  }
+
   /// Arrows that the table leaves open go to the next row; all must lead to a pose.
   void settle_arrows() {
     const int count = static_cast<int>(flow_.blocks.size());
     for (int i = 0; i < count; ++i) {
       Block& block = flow_.blocks[static_cast<std::size_t>(i)];
       if (block.normal == kOpenArrow) block.normal = i + 1 < count ? i + 1 : kNoBlock;
-      for (const int arrow : {block.normal, block.branch}) {
-        if (arrow < count && arrow != i) continue;
-        error("CSV012",
-              arrow == i ? fmt::format("expected another pose than pose {} itself", i)
-                         : fmt::format("expected a pose from 0 to {}, found {}", count - 1, arrow),
-              rows_[static_cast<std::size_t>(i)]);
-      }
+      const Arrows& places = arrows_[static_cast<std::size_t>(i)];
+      check_arrow(block.normal, i, count, places.normal);
+      check_arrow(block.branch, i, count, places.branch);
     }
     if (count == 0) error("CSV011", "expected a row a pose, found none", header_[0].at);
   }
@@ -208,17 +236,17 @@ class FlowReader {
   const TableReader& reader_;
   const std::vector<Field>& header_;
   std::vector<Column> columns_;
-  std::vector<const char*> rows_;
+  std::vector<Arrows> arrows_;
   std::vector<std::int16_t> base_;
   PoseFlow flow_;
 };
 
 }  // namespace
 
-bool is_flow_header(const std::vector<Field>& header) {
+bool is_flow_header(const std::vector<Field>& header, const RobotProject* project) {
   bool has_time = false;
   for (const Field& field : header) {
-    const auto column = column_of(field.text);
+    const auto column = column_of(field.text, project);
     if (!column) return false;
     has_time |= column->word == kTime;
   }

@@ -14,5 +14,7 @@ inline constexpr const char* kNoOrientation = "HRP007";
 inline constexpr const char* kNothingToWrite = "HRP008";
 inline constexpr const char* kHipDiffers = "HRP009";
 inline constexpr const char* kNoRows = "HRP010";
+inline constexpr const char* kOtherTimes = "HRP011";
+inline constexpr const char* kLateStart = "HRP012";
 
 }  // namespace kinefile::hrpsys::code

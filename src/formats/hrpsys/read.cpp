@@ -137,18 +137,39 @@ class SetReader {
       case kPositionAndAngles:
         component.pose_form = PoseForm::RollPitchYaw;
         copy_all(component, waist->table);
-        if (hip != nullptr) compare_with_hip(component, *hip);
+        if (hip != nullptr) compare_with_hip(component, *waist, *hip);
         break;
       default:
         if (hip == nullptr) {
           report(*waist, Severity::Warning, code::kNoOrientation,
                  "expected a .hip file beside it, found none; the root does not turn");
         }
+        if (hip != nullptr && !have_same_times(waist->table, hip->table)) {
+          report_times(*hip, Severity::Error);
+          return;
+        }
         add_angles(component, waist, hip);
     }
   }
 
-  /// Positions of one file, angles of another; what is missing is 0, what is short holds its last.
+  /// Whether two files have the same times, to what a few digits leave of them.
+  static bool have_same_times(const Table& a, const Table& b) {
+    if (a.num_frames() != b.num_frames()) return false;
+    const std::size_t last = a.num_frames() - 1;
+    const double period =
+        last > 0 ? (a.row(last)[-1] - a.row(0)[-1]) / static_cast<double>(last) : 1;
+    for (std::size_t f = 0; f <= last; ++f) {
+      if (!(std::abs(a.row(f)[-1] - b.row(f)[-1]) <= 1e-3 * period)) return false;
+    }
+    return true;
+  }
+
+  void report_times(const Part& hip, Severity severity) {
+    report(hip, severity, code::kOtherTimes,
+           "expected the times of the .waist file, row by row, found others");
+  }
+
+  /// Positions of one file, angles of another; what is missing is 0.
   static void add_angles(Component& component, const Part* positions, const Part* angles) {
     component.pose_form = PoseForm::RollPitchYaw;
     component.values.assign(component.num_frames * kPositionAndAngles, 0.0);
@@ -156,8 +177,7 @@ class SetReader {
       double* const out = component.row(f).data();
       for (const Part* from : {positions, angles}) {
         if (from == nullptr) continue;
-        const std::size_t frame = std::min(f, from->table.num_frames() - 1);
-        std::copy_n(from->table.row(frame), 3, out + (from == angles ? 3 : 0));
+        std::copy_n(from->table.row(f), 3, out + (from == angles ? 3 : 0));
       }
     }
   }
@@ -179,10 +199,10 @@ class SetReader {
     }
   }
 
-  void compare_with_hip(const Component& component, const Part& hip) {
+  void compare_with_hip(const Component& component, const Part& waist, const Part& hip) {
     constexpr double kSame = 1e-5;  // both have six digits
-    const std::size_t count = std::min(component.num_frames, hip.table.num_frames());
-    for (std::size_t f = 0; f < count; ++f) {
+    if (!have_same_times(waist.table, hip.table)) return report_times(hip, Severity::Warning);
+    for (std::size_t f = 0; f < component.num_frames; ++f) {
       for (std::size_t k = 0; k < 3; ++k) {
         const double own = component.row(f)[3 + k], other = hip.table.row(f)[k];
         if (std::abs(own - other) <= kSame * std::max(1.0, std::abs(own))) continue;

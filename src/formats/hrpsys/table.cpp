@@ -51,7 +51,8 @@ struct TableParser {
     const char* p = source.text().data();
     while (p != source.end()) {
       const char* const start = p;
-      if (*p == '#') {
+      const char* const first = std::find_if_not(p, source.end(), text::is_blank);
+      if (first != source.end() && *first == '#') {
         p = std::find_if(p, source.end(), [](char c) { return text::is_line_end(c); });
         p += p != source.end();
         continue;
@@ -86,8 +87,8 @@ std::optional<Table> parse_table(const text::Source& source, std::optional<doubl
                                  Diagnostics& diagnostics) {
   Table table;
   if (!TableParser{source, diagnostics}.parse_rows(table.rows)) return std::nullopt;
-  auto timeline =
-      timeline_of_rows(source, table.rows, fps, {code::kNotRising, code::kNoRate}, diagnostics);
+  auto timeline = timeline_of_rows(
+      source, table.rows, fps, {code::kNotRising, code::kNoRate, code::kLateStart}, diagnostics);
   if (!timeline) return std::nullopt;
   table.timeline = std::move(*timeline);
   return table;

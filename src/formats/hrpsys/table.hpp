@@ -18,7 +18,7 @@ struct Table {
   Timeline timeline;
 
   std::size_t num_frames() const { return rows.starts.size(); }
-  /// The numbers of a row, without its time.
+  /// The numbers of a row behind its time, which stands before the first of them.
   std::size_t num_values() const { return rows.num_columns - 1; }
   const double* row(std::size_t frame) const {
     return rows.values.data() + frame * rows.num_columns + 1;

@@ -142,7 +142,7 @@ class EncodedPrinter {
 };
 
 Error cannot_write(std::string why) {
-  return make_error(ErrorKind::Usage, code::kCannotWrite, std::move(why));
+  return make_error(ErrorKind::DataLoss, code::kCannotWrite, std::move(why));
 }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,

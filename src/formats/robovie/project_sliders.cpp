@@ -7,6 +7,9 @@
 namespace kinefile::robovie {
 namespace {
 
+/// Words a degree that a servo may have, as a servo map may say them.
+constexpr double kLeastUnits = 0.001, kMostUnits = 1e6;
+
 /// Variables, of which the first are sliders.
 constexpr int kMostSliders = 64;
 constexpr int kStyleDegrees = 2;
@@ -30,7 +33,16 @@ void read_style(const ProjectLine& line, Slider& slider) {
   if (!line.has(3)) return;
   slider.style = line.integer(0, 0, 99).value_or(0);
   const auto units = line.decimal(2);
-  if (slider.style == kStyleDegrees && units && *units > 0) slider.units_per_degree = *units;
+  if (slider.style != kStyleDegrees || !units) return;
+  if (*units >= kLeastUnits && *units <= kMostUnits) {
+    slider.units_per_degree = *units;
+    return;
+  }
+  line.reader().warn(code::kBadNumber,
+                     fmt::format("expected {} to {} words a degree, found {}; the slider has no "
+                                 "degrees then",
+                                 kLeastUnits, kMostUnits, *units),
+                     line.at());
 }
 
 void read_division(const ProjectLine& line, Slider& slider) {

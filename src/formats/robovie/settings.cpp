@@ -131,7 +131,8 @@ std::optional<int> parse_integer(std::string_view text) {
   std::int64_t value = 0;
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;
-    value = std::min<std::int64_t>(value * 10 + (c - '0'), kLargestNumber);
+    value = value * 10 + (c - '0');
+    if (value > kLargestNumber) return std::nullopt;
   }
   return static_cast<int>(is_negative ? -value : value);
 }

@@ -119,6 +119,21 @@ TEST(FlowTable, DegreesGoToTheNearestWord) {
             "slider 2 in degrees\n  1,400,5\n        ^\n");
 }
 
+TEST(FlowTable, WholeNumbersAreWordsAndSlidersHaveTheirNames) {
+  const auto numbers = read_table("time,s0,s1\n1,-32768,32767\n");
+  EXPECT_EQ(std::get<PoseBlock>(flow_of(numbers).blocks[0].body).words,
+            (std::vector<SliderWord>{{-32768, true}, {32767, true}}));
+  RobotProject named = *project();
+  named.sliders[1].name = "knee";
+  ReadOptions options;
+  options.project = std::make_shared<const RobotProject>(named);
+  options.in_degrees = true;
+  const auto names = read_table("time,knee\n1,1.5\n", options);
+  EXPECT_EQ(flow_of(names).num_sliders, 2u);
+  EXPECT_EQ(std::get<PoseBlock>(flow_of(names).blocks[0].body).words[1], (SliderWord{150, true}));
+  EXPECT_EQ(read_table("time,s0\n1,32768\n").diagnostics.first_error().code, "CSV013");
+}
+
 TEST(FlowTable, JsonHasAllThatBlocksSay) {
   std::string text;
   Diagnostics none;

@@ -72,9 +72,10 @@ TEST(Hrpsys, ReadsASetByAnyOfItsFiles) {
 }
 
 TEST(Hrpsys, TheRootIsPositionsAndAnglesOrPositionsAndMatrices) {
-  const auto apart = read_set({{"a.waist", "0 1 2 3\n1 4 5 6\n"}, {"a.hip", "0 0.1 0.2 0.3\n"}});
+  const auto apart =
+      read_set({{"a.waist", "0 1 2 3\n1 4 5 6\n"}, {"a.hip", "0 0.1 0.2 0.3\n1 0.4 0.5 0.6\n"}});
   EXPECT_EQ(components_of(apart)[0].values,
-            (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0.1, 0.2, 0.3}));
+            (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0.4, 0.5, 0.6}));
   // A quarter turn about z.
   const auto matrix =
       read_set({{"a.waist", "0 1 2 3 0 -1 0 1 0 0 0 0 1\n1 0 0 0 1 0 0 0 1 0 0 0 1\n"}});
@@ -91,6 +92,20 @@ TEST(Hrpsys, AnglesThatDifferAreTold) {
             "a.hip:2:1: warning[HRP009]: expected the angles of the .waist file, found others, "
             "first in frame 1; those of .waist count\n  1 0 0 0.6\n  ^\n");
   EXPECT_EQ(components_of(read)[0].values[11], 0.5);
+}
+
+TEST(Hrpsys, PositionsAndAnglesHaveTheSameTimes) {
+  const std::string waist = "0 1 2 3\n0.01 4 5 6\n";
+  for (const char* hip : {"0 0 0 0\n", "0 0 0 0\n0.005 0 0 1\n", "5 0 0 0\n5.01 0 0 1\n"}) {
+    const auto read = read_set({{"a.waist", waist}, {"a.hip", hip}});
+    EXPECT_EQ(read.diagnostics.first_error().code, "HRP011") << hip;
+  }
+  const auto read = read_set({{"a.waist", "0 1 2 3 0 0 0\n0.01 4 5 6 0 0 0.2\n"},
+                              {"a.hip", "0 0 0 0\n0.005 0 0 0.1\n0.01 0 0 0.2\n"}});
+  EXPECT_EQ(components_of(read)[0].values[11], 0.2);
+  EXPECT_EQ(text_of(read.diagnostics),
+            "a.hip:1:1: warning[HRP011]: expected the times of the .waist file, row by row, found "
+            "others\n  0 0 0 0\n  ^\n");
 }
 
 TEST(Hrpsys, ANameOfNoPartIsRefused) {

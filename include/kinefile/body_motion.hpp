@@ -32,6 +32,10 @@ inline constexpr std::string_view kJointDisplacement = "JointDisplacement";
 inline constexpr std::string_view kLinkPosition = "LinkPosition";
 inline constexpr std::string_view kZmp = "ZMP";
 
+/// What follows the content in the names of columns of vectors that are relative to the root link:
+/// ZMP.root.x.
+inline constexpr std::string_view kRootRelativeSuffix = ".root";
+
 /// One kind of data over time, with a rate and a length of its own.
 struct Component {
   ComponentKind kind = ComponentKind::Values;

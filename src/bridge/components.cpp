@@ -23,8 +23,8 @@ std::string part_name(const Component& component, std::size_t part) {
   if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
     return fmt::format("joint{}", part);
   }
-  return component.kind == ComponentKind::Vectors ? component.content
-                                                  : fmt::format("{}{}", component.content, part);
+  if (component.kind != ComponentKind::Vectors) return fmt::format("{}{}", component.content, part);
+  return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
 }
 
 void add_column(Skeleton& skeleton, const char* channel) {

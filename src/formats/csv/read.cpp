@@ -60,6 +60,11 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   component.content = group.content;
   component.num_parts = group.columns.size() / component.width();
   component.part_names = group.names;
+  component.is_root_relative =
+      group.kind == ComponentKind::Vectors && group.content.ends_with(kRootRelativeSuffix);
+  if (component.is_root_relative) {
+    component.content.resize(component.content.size() - kRootRelativeSuffix.size());
+  }
   component.num_frames = rows.starts.size();
   component.timeline = timeline;
   component.values.reserve(component.num_frames * component.row_size());

@@ -65,6 +65,14 @@ TEST(Csv, ReadsJointsLinksAndPoints) {
   EXPECT_EQ(components[0].num_frames, 2u);
 }
 
+TEST(Csv, PointsMayBeRelativeToTheRoot) {
+  const auto read = read_csv("time,ZMP.root.x,ZMP.root.y,ZMP.root.z\n0,1,2,3\n1,4,5,6\n");
+  const Component& zmp = components_of(read)[0];
+  EXPECT_EQ(zmp.content, kZmp);
+  EXPECT_TRUE(zmp.is_root_relative);
+  EXPECT_EQ(column_names(motion_of_component(zmp).skeleton)[0], "ZMP.root.x");
+}
+
 TEST(Csv, TheRateIsWhatTheTimesTell) {
   const auto rate_of = [](const std::string& rows, std::optional<double> fps = {}) {
     ReadOptions options;

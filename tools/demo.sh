@@ -76,7 +76,7 @@ run run wave.txt --loops 2 --trace
 run run wave.txt --loops 2 --servo-map servos.yaml --skeleton robot.body -o wave.seq --force
 run info wave.seq
 
-say "The bow as a motion of servo poses: the eight that come closest to it, and how it plays back"
+say "The bow as a motion of servo poses: at most eight, as close as can be, and how it plays back"
 run keyframe bow_50.seq --servo-map servos.yaml --skeleton robot.body --poses 8 -o bow.txt --force
 run check bow.txt
 run run bow.txt --servo-map servos.yaml --skeleton robot.body -o bow_played.bvh --quiet --force

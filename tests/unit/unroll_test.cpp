@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "kinefile/body_bridge.hpp"
 #include "support/keyframes.hpp"
 #include "support/support.hpp"
@@ -184,6 +187,37 @@ TEST(TrajectoryOf, FramesWithTimesAreInterpolatedAtTicks) {
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(trajectory->angles[i], expected[i], 1e-9);
   joints.timeline.times = {0, 1, 1e300};
   EXPECT_EQ(trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics).error().code, "KEY001");
+}
+
+TEST(TrajectoryOf, ThereAndBackWithinTheTolerance) {
+  Diagnostics diagnostics;
+  const ServoMap map = map_of_joints(4, 128);
+  BodyMotion body;
+  Component& joints = body.components.emplace_back();
+  joints.content = kJointDisplacement;
+  joints.num_parts = 4;
+  joints.num_frames = 240;
+  joints.values = swinging(4, 240, 3).angles;
+  joints.timeline = {Timeline::Given::FrameRate, 60, 0, {}};
+  const auto trajectory = trajectory_of(body, map, nullptr, diagnostics);
+  ASSERT_TRUE(trajectory);
+  const auto made = keyframe(*trajectory, map,
+                             {.num_poses = {}, .tolerance = 1.5, .lead_in_ticks = 40}, diagnostics);
+  ASSERT_TRUE(made);
+  EXPECT_LT(made->ticks.size(), 120u);
+  const auto run = run_flow(made->flow, {}, diagnostics);
+  ASSERT_TRUE(run);
+  const auto back = unroll(*run, map, nullptr, diagnostics);
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->components[0].num_frames, 240u + 40u);
+  double largest = 0;
+  for (std::size_t i = 0; i < joints.values.size(); ++i) {
+    const double off = back->components[0].values[40 * 4 + i] - joints.values[i];
+    largest = std::max(largest, std::abs(degrees(off)));
+  }
+  EXPECT_LE(largest, 1.5);
+  EXPECT_GT(largest, 0.5);  // poses were saved
+  EXPECT_TRUE(diagnostics.items().empty());
 }
 
 TEST(TrajectoryOf, NamesOfPartsTellWithoutARobot) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "text/decode.hpp"
+
 namespace kinefile::robot {
 namespace {
 
@@ -271,6 +273,21 @@ std::optional<Document> document_of(const Robot& robot, std::string_view format,
   document.extras.file["num_joints"] = std::to_string(*num_ids);
   document.content = std::move(skeleton);
   return document;
+}
+
+Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Diagnostics&),
+                           std::string_view format, const Codes& codes, std::string_view bytes,
+                           const ReadOptions& options, Diagnostics& diagnostics) {
+  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) return fail(std::move(decoded.error()));
+  const text::Source source(options.source_name, decoded->view());
+  const auto robot = parse(source, diagnostics);
+  auto document =
+      robot ? document_of(*robot, format, codes, diagnostics) : std::optional<Document>();
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  document->extras.file["encoding"] = decoded->description();
+  document->extras.file["line_end"] = text::line_end_of(decoded->view());
+  return std::move(*document);
 }
 
 }  // namespace kinefile::robot

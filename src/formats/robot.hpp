@@ -10,6 +10,7 @@
 
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/document.hpp"
+#include "kinefile/format.hpp"
 #include "text/source.hpp"
 
 // What the formats of robot models have in common: a list of links, of which a skeleton is made.
@@ -90,5 +91,12 @@ Quat rotation_about(const Vec3& axis, double angle);
 /// Source: Choreonoid 2.5 (LinkTraverse, Body::updateLinkTree), whose order of joint values it is.
 std::optional<Document> document_of(const Robot& robot, std::string_view format, const Codes& codes,
                                     Diagnostics& diagnostics);
+
+/// Reads a robot that one text describes.
+/// \param parse  the format's; nothing after errors
+/// \errors the first of those that are in `diagnostics` then
+Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Diagnostics&),
+                           std::string_view format, const Codes& codes, std::string_view bytes,
+                           const ReadOptions& options, Diagnostics& diagnostics);
 
 }  // namespace kinefile::robot

@@ -37,16 +37,7 @@ bool probe(std::string_view head) {
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
-  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) return fail(std::move(decoded.error()));
-  const text::Source source(options.source_name, decoded->view());
-  const auto robot = parse(source, diagnostics);
-  auto document = robot ? robot::document_of(*robot, "urdf", code::kRobot, diagnostics)
-                        : std::optional<Document>();
-  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  document->extras.file["encoding"] = decoded->description();
-  document->extras.file["line_end"] = text::line_end_of(decoded->view());
-  return std::move(*document);
+  return robot::read_text(parse, "urdf", code::kRobot, bytes, options, diagnostics);
 }
 
 Result<Document> read(std::string_view bytes, const ReadOptions& options,

@@ -3,17 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "flow_words.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
-
-std::string word_text(const SliderWord& word) {
-  return fmt::format("0{}{:04x}", word.is_enabled ? 'x' : 'X',
-                     static_cast<std::uint16_t>(word.value));
-}
 
 void add_settings(Settings&, const StartBlock&) {}
 void add_settings(Settings&, const EndBlock&) {}
@@ -25,11 +21,7 @@ void add_settings(Settings& settings, const PoseBlock& pose) {
     settings.emplace_back(fmt::format("s{}", s), word_text(pose.words[s]));
   }
   settings.emplace_back("sound", fmt::format("'{}'", pose.sound));
-  std::string mask;
-  for (std::size_t channel = 0; channel < kNumServos; ++channel) {
-    mask += pose.servo_off[channel] ? '1' : '0';
-  }
-  settings.emplace_back("servo_off", mask);
+  settings.emplace_back("servo_off", mask_text(pose.servo_off));
 }
 
 void add_settings(Settings& settings, const ArithmeticBlock& sum) {

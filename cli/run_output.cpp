@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "flow_words.hpp"
+
 namespace kinefile::cli {
 namespace {
 
@@ -20,15 +22,6 @@ std::string field(const std::string& text) {
     quoted += c;
   }
   return quoted + '"';
-}
-
-/// Channel 0 first, as in a file.
-std::string mask_of(const std::bitset<kNumServos>& servo_off) {
-  std::string mask(kNumServos, '0');
-  for (std::size_t channel = 0; channel < kNumServos; ++channel) {
-    if (servo_off[channel]) mask[channel] = '1';
-  }
-  return mask;
 }
 
 /// How a column shows a slider: (word - base) / units.
@@ -77,7 +70,7 @@ struct Writer {
     for (; next_event < events.size() && events[next_event].tick == tick; ++next_event) {
       const FlowEvent& event = events[next_event];
       if (!event.sound.empty()) sound = event.sound;
-      if (event.changes_servos) mask = mask_of(event.servo_off);
+      if (event.changes_servos) mask = mask_text(event.servo_off);
     }
     if (has_sounds) buffer += "," + field(sound);
     if (has_masks) buffer += "," + mask;
@@ -175,7 +168,7 @@ std::string trace_of(const PoseFlow& flow, const FlowRun& run, const RunOptions&
     const double seconds = seconds_of(event.tick, tick_seconds);
     if (event.changes_servos) {
       fmt::format_to(out, "{:6} {:9.3f}  servos off {}\n", event.tick, seconds,
-                     mask_of(event.servo_off));
+                     mask_text(event.servo_off));
     }
     if (!event.sound.empty()) {
       fmt::format_to(out, "{:6} {:9.3f}  sound {}\n", event.tick, seconds, event.sound);

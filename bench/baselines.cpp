@@ -91,7 +91,7 @@ void warp_joint_with_eigen(const Joint& joint, std::span<const double> from,
 
 }  // namespace
 
-std::vector<double> warped_with_eigen(const Motion& motion, const TimeMap& map) {
+std::vector<double> warped_with_eigen(const Motion& motion, const retime::TimeMap& map) {
   const Clip& clip = motion.clip;
   std::vector<double> rows(map.old_frames.size() * clip.num_coordinates);
   for (std::size_t n = 0; n < map.old_frames.size(); ++n) {

@@ -37,6 +37,6 @@ std::vector<double> positions_with_eigen(const Motion& motion);
 /// of Eigen's AngleAxis, Eigen's `slerp` and `eulerAngles`; positions on the straight line. For
 /// joints with three rotations about x, y and z, in degrees.
 /// \returns [frame][coordinate]
-std::vector<double> warped_with_eigen(const Motion& motion, const TimeMap& map);
+std::vector<double> warped_with_eigen(const Motion& motion, const retime::TimeMap& map);
 
 }  // namespace kinefile::bench

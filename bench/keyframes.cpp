@@ -24,24 +24,26 @@ double seconds_of(const Function& function) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Keyframes made(const JointTrajectory& trajectory, const KeyframeOptions& options) {
+servo::Keyframes made(const servo::JointTrajectory& trajectory,
+                      const servo::KeyframeOptions& options) {
   Diagnostics diagnostics;
-  auto keyframes = keyframe(trajectory, test::map_of_joints(kJoints), options, diagnostics);
+  auto keyframes = servo::keyframe(trajectory, test::map_of_joints(kJoints), options, diagnostics);
   if (keyframes) return std::move(*keyframes);
   fmt::print(stderr, "{}\n", to_string(keyframes.error()));
   std::exit(1);
 }
 
-double largest_error(const Keyframes& keyframes) {
+double largest_error(const servo::Keyframes& keyframes) {
   double largest = 0;
-  for (const KeyframeError& error : keyframes.errors) largest = std::max(largest, error.largest);
+  for (const servo::KeyframeError& error : keyframes.errors)
+    largest = std::max(largest, error.largest);
   return largest;
 }
 
 }  // namespace
 
 void print_keyframes() {
-  const JointTrajectory trajectory = test::swinging(kJoints, kTenSeconds, 1);
+  const servo::JointTrajectory trajectory = test::swinging(kJoints, kTenSeconds, 1);
   const ServoMap map = test::map_of_joints(kJoints);
   double own = 0, longest = 0, farthest = 0;
   const double own_seconds = seconds_of(
@@ -49,7 +51,7 @@ void print_keyframes() {
   const double longest_seconds =
       seconds_of([&] { longest = test::greedy_error(trajectory, map, kPoses); });
   farthest = test::farthest_first_error(trajectory, map, kPoses);
-  const JointTrajectory minutes = test::swinging(kJoints, kTenMinutes, 1);
+  const servo::JointTrajectory minutes = test::swinging(kJoints, kTenMinutes, 1);
   const double tolerance_seconds =
       seconds_of([&] { made(minutes, {.num_poses = {}, .tolerance = 1}); });
   const auto print = [](const char* what, double value) {

@@ -136,7 +136,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 /// is moved to frame 160.
 struct WarpSubject {
   Motion motion = examples::make_walk({.num_frames = 7501});
-  TimeMap map;
+  retime::TimeMap map;
 };
 
 const WarpSubject& warp_subject() {
@@ -148,14 +148,14 @@ const WarpSubject& warp_subject() {
   return instance;
 }
 
-Motion warped_with_kinefile(RotationInterpolation rotation) {
+Motion warped_with_kinefile(retime::RotationInterpolation rotation) {
   Diagnostics diagnostics;
   auto warped =
-      retime(warp_subject().motion, warp_subject().map, {.rotation = rotation}, diagnostics);
+      retime::apply(warp_subject().motion, warp_subject().map, {.rotation = rotation}, diagnostics);
   return std::move(warped.value());
 }
 
-template <RotationInterpolation kRotation>
+template <retime::RotationInterpolation kRotation>
 void warp_kinefile(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(warped_with_kinefile(kRotation));
 }
@@ -168,7 +168,7 @@ void warp_eigen(benchmark::State& state) {
 
 /// The largest distance of joints in the motions that the two ways to warp give, relative.
 double warp_disagreement() {
-  const Motion ours = warped_with_kinefile(RotationInterpolation::Slerp);
+  const Motion ours = warped_with_kinefile(retime::RotationInterpolation::Slerp);
   Motion theirs = ours;
   theirs.clip.values = warped_with_eigen(warp_subject().motion, warp_subject().map);
   const WorldPoses a = forward_kinematics(ours.skeleton, ours.clip);
@@ -315,8 +315,8 @@ int run(int argc, char** argv) {
   add("fk/kinefile", fk_kinefile);
   add("fk/eigen_per_frame", fk_eigen);
   add("write/kinefile", write_kinefile);
-  add("warp/kinefile", warp_kinefile<RotationInterpolation::Slerp>);
-  add("warp/kinefile_cubic", warp_kinefile<RotationInterpolation::Cubic>);
+  add("warp/kinefile", warp_kinefile<retime::RotationInterpolation::Slerp>);
+  add("warp/kinefile_cubic", warp_kinefile<retime::RotationInterpolation::Cubic>);
   add("warp/eigen_slerp", warp_eigen);
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);

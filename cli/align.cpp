@@ -25,10 +25,10 @@ int run(Align& align, const Globals& globals) {
   }
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = reading.is_strict;
-  AlignOptions options;
-  if (align.by == "points") options.by = AlignOptions::By::Points;
-  auto map =
-      align_map(std::get<Motion>(document->content), std::get<Motion>(reference->content), options);
+  retime::AlignOptions options;
+  if (align.by == "points") options.by = retime::AlignOptions::By::Points;
+  auto map = retime::align_map(std::get<Motion>(document->content),
+                               std::get<Motion>(reference->content), options);
   // Without a file to write the motion to, the map is what was asked for.
   const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
   align.retiming.prints_table |= !has_output;

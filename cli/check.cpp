@@ -17,7 +17,7 @@ struct Check {
   Reading reading;
 };
 
-Json json_of(const Diagnostic& item) {
+Json json_of_diagnostic(const Diagnostic& item) {
   return {{"file", item.place.source},   {"line", item.place.line},
           {"column", item.place.column}, {"severity", severity_name(item.severity)},
           {"code", item.code},           {"message", item.message}};
@@ -127,7 +127,7 @@ Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_
 void report(const InputFile& file, const Diagnostics& diagnostics, const Check& check,
             const Globals& globals, Json& all) {
   if (check.is_json) {
-    for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of(*item));
+    for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of_diagnostic(*item));
   } else {
     print_diagnostics(stdout, diagnostics, globals);
     if (file.is_known) print_summary(file.path, diagnostics, globals);

@@ -18,11 +18,11 @@ struct Convert {
 };
 
 /// The channels that were asked for.
-ChannelOptions channels_of(const Convert& convert) {
-  ChannelOptions options;
-  if (!convert.order.empty()) options.order = parse_rotation_order(convert.order);
-  if (convert.channels == "root") options.positions = PositionChannels::Root;
-  if (convert.channels == "all") options.positions = PositionChannels::All;
+shape::ChannelOptions channels_of(const Convert& convert) {
+  shape::ChannelOptions options;
+  if (!convert.order.empty()) options.order = shape::parse_rotation_order(convert.order);
+  if (convert.channels == "root") options.positions = shape::PositionChannels::Root;
+  if (convert.channels == "all") options.positions = shape::PositionChannels::All;
   return options;
 }
 
@@ -51,7 +51,7 @@ int run(Convert& convert, const Globals& globals) {
 }
 
 std::string check_order(const std::string& text) {
-  return parse_rotation_order(text) ? "" : "expected three axes such as ZXY";
+  return shape::parse_rotation_order(text) ? "" : "expected three axes such as ZXY";
 }
 
 }  // namespace

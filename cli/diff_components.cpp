@@ -17,7 +17,7 @@ bool have_one_shape(const Component& a, const Component& b) {
 /// A component as a motion, its parts by their numbers: not every file names them.
 Motion motion_by_numbers(Component component) {
   component.part_names.clear();
-  return motion_of_component(component);
+  return robot::motion_of_component(component);
 }
 
 ComponentDifference difference_of(const Component& a, const Component* b, double tolerance) {

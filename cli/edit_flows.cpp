@@ -30,29 +30,30 @@ std::optional<std::pair<std::string, std::string>> split_at(const std::string& t
 }
 
 /// Reads "A:B" or "A:B:SIGN".
-std::optional<MirrorPair> parse_pair(const std::string& text) {
+std::optional<flow::MirrorPair> parse_pair(const std::string& text) {
   const auto parts = CLI::detail::split(text, ':');
   if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
   const auto slider = parse_number<std::size_t>(parts[0]);
   const auto partner = parse_number<std::size_t>(parts[1]);
   const auto sign = parts.size() == 3 ? parse_number<int>(parts[2]) : std::optional(-1);
   if (!slider || !partner || !sign || (*sign != 1 && *sign != -1)) return std::nullopt;
-  return MirrorPair{*slider, *partner, *sign};
+  return flow::MirrorPair{*slider, *partner, *sign};
 }
 
 /// The pairs of the project that `--project` names, but of sliders in pairs that were given those.
-Result<std::vector<MirrorPair>> project_pairs(const PoseFlow& flow, const RobotProject& project,
-                                              const std::vector<MirrorPair>& given,
-                                              Diagnostics& diagnostics) {
-  std::vector<MirrorPair> pairs = mirror_pairs_of(project, flow.num_sliders);
-  std::erase_if(pairs, [&given](const MirrorPair& pair) {
-    return std::any_of(given.begin(), given.end(), [&pair](const MirrorPair& other) {
+Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
+                                                    const RobotProject& project,
+                                                    const std::vector<flow::MirrorPair>& given,
+                                                    Diagnostics& diagnostics) {
+  std::vector<flow::MirrorPair> pairs = flow::mirror_pairs_of(project, flow.num_sliders);
+  std::erase_if(pairs, [&given](const flow::MirrorPair& pair) {
+    return std::any_of(given.begin(), given.end(), [&pair](const flow::MirrorPair& other) {
       return other.slider == pair.slider || other.slider == pair.partner ||
              other.partner == pair.slider || other.partner == pair.partner;
     });
   });
   std::string words;
-  for (const MirrorPair& pair : doubtful_pairs(flow, pairs)) {
+  for (const flow::MirrorPair& pair : flow::doubtful_pairs(flow, pairs)) {
     words += fmt::format("{}{}:{}:1", words.empty() ? "" : ",", pair.slider, pair.partner);
   }
   if (!words.empty()) {
@@ -91,7 +92,7 @@ Result<PoseFlow> other_flow(const std::string& path, const EditContext& context)
 }  // namespace
 
 Apply parse_flow_mirror(const std::string* argument) {
-  std::vector<MirrorPair> pairs;
+  std::vector<flow::MirrorPair> pairs;
   if (argument != nullptr) {
     for (const std::string& word : CLI::detail::split(*argument, ',')) {
       const auto pair = parse_pair(word);
@@ -107,23 +108,23 @@ Apply parse_flow_mirror(const std::string* argument) {
                              "expected --project, which says what the pairs of sliders are, or "
                              "mirror=A:B,..."));
     }
-    if (*project == nullptr) return mirrored_flow(flow, pairs, context.diagnostics);
+    if (*project == nullptr) return flow::mirror(flow, pairs, context.diagnostics);
     const auto all = project_pairs(flow, **project, pairs, context.diagnostics);
     if (!all) return fail(all.error());
-    return mirrored_flow(flow, *all, context.diagnostics);
+    return flow::mirror(flow, *all, context.diagnostics);
   });
 }
 
 Apply parse_flow_reverse(const std::string* argument) {
   if (argument != nullptr) return {};
-  return on_flow([](const PoseFlow& flow, const EditContext&) { return reversed_flow(flow); });
+  return on_flow([](const PoseFlow& flow, const EditContext&) { return flow::reverse(flow); });
 }
 
 Apply parse_flow_speed(const std::string* argument) {
   const auto factor = argument != nullptr ? parse_finite(*argument) : std::nullopt;
   if (!factor || !(*factor > 0)) return {};
   return on_flow([factor](const PoseFlow& flow, const EditContext& context) {
-    return with_flow_speed(flow, *factor, context.diagnostics);
+    return flow::speed(flow, *factor, context.diagnostics);
   });
 }
 
@@ -133,7 +134,7 @@ Apply parse_flow_offset(const std::string* argument) {
   const auto offset = parts ? parse_number<int>(parts->second) : std::nullopt;
   if (!slider || !offset) return {};
   return on_flow([slider, offset](const PoseFlow& flow, const EditContext&) {
-    return with_slider_offset(flow, *slider, *offset);
+    return flow::offset(flow, *slider, *offset);
   });
 }
 
@@ -146,7 +147,7 @@ Apply parse_flow_merge(const std::string* argument) {
                                                 const EditContext& context) -> Result<PoseFlow> {
     const auto other = other_flow(path, context);
     if (!other) return other;
-    return merged_flow(flow, *other, *sliders);
+    return flow::merge(flow, *other, *sliders);
   });
 }
 
@@ -158,7 +159,7 @@ Apply parse_flow_insert(const std::string* argument) {
                                                const EditContext& context) -> Result<PoseFlow> {
     const auto other = other_flow(path, context);
     if (!other) return other;
-    return with_inserted(flow, *block, *other);
+    return flow::insert(flow, *block, *other);
   });
 }
 
@@ -166,7 +167,7 @@ Apply parse_flow_delete(const std::string* argument) {
   const auto block = argument != nullptr ? parse_number<std::size_t>(*argument) : std::nullopt;
   if (!block) return {};
   return on_flow(
-      [block](const PoseFlow& flow, const EditContext&) { return without_block(flow, *block); });
+      [block](const PoseFlow& flow, const EditContext&) { return flow::erase(flow, *block); });
 }
 
 }  // namespace kinefile::cli

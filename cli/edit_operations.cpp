@@ -68,25 +68,25 @@ Apply parse_trim(const std::string* argument) {
     const auto range = parse_range(text, motion.clip.num_frames);
     // What is out of range is left to the library to refuse, with the numbers that were given.
     const bool is_open = any->end == kAnyFrames;
-    return range ? trimmed(motion, range->begin, range->end)
-                 : trimmed(motion, any->begin, is_open ? motion.clip.num_frames : any->end);
+    return range ? edit::trim(motion, range->begin, range->end)
+                 : edit::trim(motion, any->begin, is_open ? motion.clip.num_frames : any->end);
   });
 }
 
 Apply parse_reverse(const std::string* argument) {
   if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const EditContext&) { return reversed(motion); });
+  return on_motion([](const Motion& motion, const EditContext&) { return edit::reverse(motion); });
 }
 
 Apply parse_speed(const std::string* argument) {
   const auto speed = parse_above_zero(argument);
   if (!speed) return {};
   return on_motion([speed](const Motion& motion, const EditContext& context) -> Result<Motion> {
-    const auto map = speed_map(motion.clip, *speed);
+    const auto map = retime::speed_map(motion.clip, *speed);
     if (!map) return fail(map.error());
-    RetimeOptions options;
+    retime::RetimeOptions options;
     options.lenient = context.reading.is_lenient;
-    return retime(motion, *map, options, context.diagnostics);
+    return retime::apply(motion, *map, options, context.diagnostics);
   });
 }
 
@@ -100,8 +100,8 @@ Apply parse_mirror(const std::string* argument) {
   const auto axis = argument != nullptr ? parse_axis(*argument, "xyz") : std::nullopt;
   if (argument != nullptr && !axis) return {};
   return on_motion([axis](const Motion& motion, const EditContext& context) {
-    return mirrored(motion, axis ? *axis : guess_mirror_axis(motion.skeleton),
-                    context.reading.is_lenient, context.diagnostics);
+    return edit::mirror(motion, axis ? *axis : edit::guess_mirror_axis(motion.skeleton),
+                        context.reading.is_lenient, context.diagnostics);
   });
 }
 
@@ -109,20 +109,20 @@ Apply parse_scale(const std::string* argument) {
   const auto factor = parse_above_zero(argument);
   if (!factor) return {};
   return on_motion(
-      [factor](const Motion& motion, const EditContext&) { return scaled(motion, *factor); });
+      [factor](const Motion& motion, const EditContext&) { return edit::scale(motion, *factor); });
 }
 
 Apply parse_up(const std::string* argument) {
   const auto axis = argument != nullptr ? parse_axis(*argument, "yz") : std::nullopt;
   if (!axis) return {};
   return on_motion([axis](const Motion& motion, const EditContext& context) {
-    return with_up_axis(motion, *axis, context.diagnostics);
+    return edit::up(motion, *axis, context.diagnostics);
   });
 }
 
 Apply parse_in_place(const std::string* argument) {
   if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const EditContext&) { return in_place(motion); });
+  return on_motion([](const Motion& motion, const EditContext&) { return edit::in_place(motion); });
 }
 
 Apply parse_loop(const std::string* argument) {
@@ -131,7 +131,7 @@ Apply parse_loop(const std::string* argument) {
   if (!count) return {};
   return on_motion(
       [count, num_frames = blended->num_frames](const Motion& motion, const EditContext&) {
-        return looped(motion, *count, num_frames);
+        return edit::loop(motion, *count, num_frames);
       });
 }
 
@@ -144,7 +144,7 @@ Result<Motion> append_file(const Motion& motion, const Blended& blended,
     return fail(make_error(ErrorKind::Usage, "CLI001",
                            fmt::format("'{}' holds a skeleton alone", blended.argument)));
   }
-  return appended(motion, *second, blended.num_frames);
+  return edit::append(motion, *second, blended.num_frames);
 }
 
 Apply parse_append(const std::string* argument) {
@@ -170,7 +170,7 @@ Apply parse_joints(const std::string* argument) {
   const auto names = CLI::detail::split(*argument, ',');
   return [names](Document& document, const EditContext& context) -> Result<void> {
     auto changed = change_motion(document, [&](const Motion& motion) {
-      return with_joints(motion, names, context.diagnostics);
+      return edit::joints(motion, names, context.diagnostics);
     });
     if (changed) drop_extras(document);
     return changed;
@@ -192,7 +192,7 @@ Apply parse_rename(const std::string* argument) {
   if (argument == nullptr || argument->find(':') == std::string::npos) return {};
   return [text = *argument](Document& document, const EditContext&) {
     const std::size_t colon = find_colon(skeleton_of(document), text);
-    return rename_joint(document, text.substr(0, colon), text.substr(colon + 1));
+    return edit::rename(document, text.substr(0, colon), text.substr(colon + 1));
   };
 }
 
@@ -200,12 +200,12 @@ Apply parse_smooth(const std::string* argument) {
   const auto cutoff = parse_above_zero(argument);
   if (!cutoff) return {};
   return on_motion(
-      [cutoff](const Motion& motion, const EditContext&) { return smoothed(motion, *cutoff); });
+      [cutoff](const Motion& motion, const EditContext&) { return edit::smooth(motion, *cutoff); });
 }
 
 Apply parse_unwrap(const std::string* argument) {
   if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const EditContext&) { return unwrapped(motion); });
+  return on_motion([](const Motion& motion, const EditContext&) { return edit::unwrap(motion); });
 }
 
 Apply parse_zmp(const std::string* argument) {
@@ -214,7 +214,7 @@ Apply parse_zmp(const std::string* argument) {
                                              const EditContext& context) -> Result<void> {
     const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
     auto changed =
-        with_zmp(body != nullptr ? *body : BodyMotion{}, is_relative, context.diagnostics);
+        robot::zmp(body != nullptr ? *body : BodyMotion{}, is_relative, context.diagnostics);
     if (!changed) return fail(std::move(changed.error()));
     document.content = std::move(*changed);
     return {};

@@ -67,7 +67,8 @@ PoseArrays place(const Fk& fk, const Placed& placed, const FrameRange& range) {
   options.tips = fk.has_tips;
   if (fk.is_local) return local_poses(placed.skeleton, placed.clip, options);
   PoseArrays poses = forward_kinematics(placed.skeleton, placed.clip, options);
-  if (placed.recorded != nullptr) put_recorded_links(*placed.recorded, placed.skeleton, poses);
+  if (placed.recorded != nullptr)
+    robot::put_recorded_links(*placed.recorded, placed.skeleton, poses);
   return poses;
 }
 
@@ -131,12 +132,12 @@ int compare(const Fk& fk, const BodyMotion* body, const Globals& globals) {
     if (!model) return report(model.error(), diagnostics, fk.file, globals);
     return usage_error(globals, "--compare needs a body motion and the model of --skeleton");
   }
-  const auto deviations =
-      compare_recorded_links(*body, skeleton_of(**model), fk.reading.is_lenient, diagnostics);
+  const auto deviations = robot::compare_recorded_links(*body, skeleton_of(**model),
+                                                        fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (!deviations) return report(deviations.error(), diagnostics, fk.file, globals);
   std::string text = "link,distance,distance_frame,degrees,degrees_frame\n";
-  for (const LinkDeviation& deviation : *deviations) {
+  for (const robot::LinkDeviation& deviation : *deviations) {
     text += fmt::format("{},{},{},{},{}\n", deviation.link, deviation.distance,
                         deviation.distance_frame, deviation.degrees, deviation.degrees_frame);
   }

@@ -19,7 +19,7 @@ int run(const Graph& graph, const Globals& globals) {
   const auto flow = load_flow(graph.file, graph.reading, globals, exit_code);
   if (!flow) return exit_code;
   auto out = OutputFile::create(graph.out, graph.may_replace);
-  if (out) out->write(flow_graph(*flow));
+  if (out) out->write(flow::graph(*flow));
   const auto committed = out ? out->commit() : Result<void>(fail(out.error()));
   if (committed) return kDone;
   print_error(committed.error(), globals);

@@ -199,7 +199,7 @@ std::string type_of(const Component& component) {
   return type == component.extras.end() ? "" : type->second;
 }
 
-Json json_of(const Component& component) {
+Json json_of_component(const Component& component) {
   Json json = {{"type", type_of(component)},
                {"content", component.content},
                {"num_parts", component.num_parts},
@@ -222,11 +222,11 @@ void add_body(Json& json, const BodyMotion& motion) {
   json["metres_per_unit"] = 1;
   json["components"] = Json::array();
   for (const Component& component : motion.components) {
-    json["components"].push_back(json_of(component));
+    json["components"].push_back(json_of_component(component));
   }
 }
 
-Json json_of(const std::string& path, const Document& document) {
+Json json_of_document(const std::string& path, const Document& document) {
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
   for (const auto& [key, value] : document.extras.file) json[key] = value;
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
@@ -284,7 +284,7 @@ int run(const Info& info, const Globals& globals) {
     if (is_flow && (info.is_json || !info.is_tree)) {
       tell_flow(name, *document, info, all);
     } else if (info.is_json) {
-      all.push_back(json_of(name, *document));
+      all.push_back(json_of_document(name, *document));
     } else if (info.is_tree) {
       if (info.files.size() > 1) print_data(fmt::format("{}:\n", name));
       if (!has_skeleton(*document)) {

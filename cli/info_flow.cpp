@@ -21,7 +21,7 @@ std::vector<std::pair<std::string_view, std::size_t>> counts_by_kind(const PoseF
   return all;
 }
 
-std::string extra(const Document& document, const std::string& key) {
+std::string flow_extra(const Document& document, const std::string& key) {
   const auto found = document.extras.file.find(key);
   return found == document.extras.file.end() ? "" : found->second;
 }
@@ -72,9 +72,9 @@ std::string flow_text(const std::string& path, const Document& document) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
   std::string dialect(header_word(flow.format));
-  const std::string encoding = extra(document, "encoding");
+  const std::string encoding = flow_extra(document, "encoding");
   if (!encoding.empty()) {
-    dialect += fmt::format(", {}, line ends {}", encoding, extra(document, "line_end"));
+    dialect += fmt::format(", {}, line ends {}", encoding, flow_extra(document, "line_end"));
   }
   line("dialect", dialect);
   line("sliders", fmt::format("{}", flow.num_sliders));

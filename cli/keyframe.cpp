@@ -18,21 +18,21 @@ struct Keyframe {
   std::string servo_map;
   std::string flow_format = "v1r4";
   bool is_json = false;
-  KeyframeOptions options;
+  servo::KeyframeOptions options;
   Writing writing;
   Reading reading;
 };
 
 /// The joints of the map, out of a motion, or a body motion and the robot that `--skeleton` names.
 /// \param map  with the names of links
-Result<JointTrajectory> trajectory_in(const Document& document, const ServoMap& map,
-                                      const Document* robot, Diagnostics& diagnostics) {
+Result<servo::JointTrajectory> trajectory_in(const Document& document, const ServoMap& map,
+                                             const Document* robot, Diagnostics& diagnostics) {
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
-    return trajectory_of(*motion, map, diagnostics);
+    return servo::trajectory_of(*motion, map, diagnostics);
   }
   if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    return trajectory_of(*body, map, robot == nullptr ? nullptr : &skeleton_of(*robot),
-                         diagnostics);
+    return servo::trajectory_of(*body, map, robot == nullptr ? nullptr : &skeleton_of(*robot),
+                                diagnostics);
   }
   return fail(
       make_error(ErrorKind::Usage, "CLI001",
@@ -40,26 +40,27 @@ Result<JointTrajectory> trajectory_in(const Document& document, const ServoMap& 
                              has_skeleton(document) ? "a skeleton alone" : "a flow of poses")));
 }
 
-double seconds_of(const Keyframes& made, const ServoMap& map) {
+double seconds_of_pose(const servo::Keyframes& made, const ServoMap& map) {
   return static_cast<double>(made.ticks.back()) * map.tick_seconds;
 }
 
-void print_table(const Keyframe& keyframe, const Keyframes& made, const ServoMap& map) {
+void print_table(const Keyframe& keyframe, const servo::Keyframes& made, const ServoMap& map) {
   const int lead_in = keyframe.options.lead_in_ticks;
   fmt::print(stderr, "{} pose{}, {:.3f} s after {} tick{} of lead-in\n", made.ticks.size(),
-             made.ticks.size() == 1 ? "" : "s", seconds_of(made, map), lead_in,
+             made.ticks.size() == 1 ? "" : "s", seconds_of_pose(made, map), lead_in,
              lead_in == 1 ? "" : "s");
   fmt::print(stderr, "{:<24}{:>10}{:>10}{:>10}  degrees\n", "joint", "largest", "at s", "RMS");
-  for (const KeyframeError& error : made.errors) {
+  for (const servo::KeyframeError& error : made.errors) {
     fmt::print(stderr, "{:<24}{:>10.3f}{:>10.3f}{:>10.3f}\n", error.joint, error.largest,
                error.largest_seconds, error.rms);
   }
 }
 
-Json json_of(const Keyframe& keyframe, const Keyframes& made, const ServoMap& map) {
+Json json_of_keyframes(const Keyframe& keyframe, const servo::Keyframes& made,
+                       const ServoMap& map) {
   Json joints = Json::array();
   double largest = 0;
-  for (const KeyframeError& error : made.errors) {
+  for (const servo::KeyframeError& error : made.errors) {
     largest = std::max(largest, error.largest);
     joints.push_back({{"joint", error.joint},
                       {"largest_degrees", error.largest},
@@ -69,13 +70,13 @@ Json json_of(const Keyframe& keyframe, const Keyframes& made, const ServoMap& ma
   return {{"num_poses", made.ticks.size()},
           {"lead_in_ticks", keyframe.options.lead_in_ticks},
           {"ticks", made.ticks},
-          {"duration", seconds_of(made, map)},
+          {"duration", seconds_of_pose(made, map)},
           {"largest_degrees", largest},
           {"joints", joints}};
 }
 
-Result<Keyframes> make(const Keyframe& keyframe, const Document& document, const ServoMap& map,
-                       Diagnostics& diagnostics) {
+Result<servo::Keyframes> make(const Keyframe& keyframe, const Document& document,
+                              const ServoMap& map, Diagnostics& diagnostics) {
   std::optional<Document> robot;
   if (std::holds_alternative<BodyMotion>(document.content)) {
     auto loaded = load_skeleton(keyframe.reading, diagnostics);
@@ -86,7 +87,7 @@ Result<Keyframes> make(const Keyframe& keyframe, const Document& document, const
   const ServoMap named = has_skeleton(*model) ? with_link_names(map, *model) : map;
   const auto trajectory = trajectory_in(document, named, robot ? &*robot : nullptr, diagnostics);
   if (!trajectory) return fail(trajectory.error());
-  return kinefile::keyframe(*trajectory, named, keyframe.options, diagnostics);
+  return servo::keyframe(*trajectory, named, keyframe.options, diagnostics);
 }
 
 int run(const Keyframe& keyframe, const Globals& globals) {
@@ -121,14 +122,14 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   if (!written) return finish(written.error());
   print_diagnostics(stderr, diagnostics, globals);
   if (keyframe.is_json) {
-    print_json(json_of(keyframe, *made, *map));
+    print_json(json_of_keyframes(keyframe, *made, *map));
   } else if (!globals.is_quiet) {
     print_table(keyframe, *made, *map);
   }
   return kDone;
 }
 
-std::string check_tolerance(const std::string& text) {
+std::string check_degrees(const std::string& text) {
   double tolerance = 0;
   const bool is_number = CLI::detail::lexical_cast(text, tolerance);
   return is_number && tolerance >= 0 && std::isfinite(tolerance) ? ""
@@ -156,7 +157,7 @@ void add_keyframe(CLI::App& app, Globals& globals) {
   command
       ->add_option("--tolerance", keyframe->options.tolerance,
                    "As few poses as stay within so many degrees of the motion, at every tick")
-      ->check(check_tolerance)
+      ->check(check_degrees)
       ->excludes(poses)
       ->type_name("DEGREES");
   command

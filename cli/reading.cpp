@@ -191,8 +191,8 @@ Result<Motion> motion_in_world(Document& document, const Reading& reading,
   const BodyMotion& body = std::get<BodyMotion>(document.content);
   const auto model = load_skeleton(reading, diagnostics);
   if (!model) return fail(model.error());
-  if (!*model) return motion_of_links(body);
-  return pose(body, skeleton_of(**model), reading.is_lenient, diagnostics);
+  if (!*model) return robot::motion_of_links(body);
+  return robot::pose(body, skeleton_of(**model), reading.is_lenient, diagnostics);
 }
 
 int usage_error(const Globals& globals, const std::string& message) {

@@ -19,11 +19,11 @@ int resample_body(BodyMotion& body, const Resample& resample, Document&& documen
   const Retiming& retiming = resample.retiming;
   const Format* format = output_format(retiming.writing, document);
   if (format == nullptr) return no_output_format(retiming.writing, globals);
-  const RetimeOptions options = retime_options(retiming);
+  const retime::RetimeOptions options = retime_options(retiming);
   auto made = change_components(body, false, [&](const Motion& motion) -> Result<Motion> {
-    const auto map = resample_map(motion.clip, resample.frame_rate);
+    const auto map = retime::resample_map(motion.clip, resample.frame_rate);
     if (!map) return fail(map.error());
-    return retime(motion, *map, options, diagnostics);
+    return retime::apply(motion, *map, options, diagnostics);
   });
   return write_document(std::move(made), std::move(document), *format, retiming.writing,
                         resample.file, retiming.reading, diagnostics, globals);
@@ -38,7 +38,7 @@ int run(const Resample& resample, const Globals& globals) {
   if (BodyMotion* body = std::get_if<BodyMotion>(&document->content)) {
     return resample_body(*body, resample, std::move(*document), diagnostics, globals);
   }
-  auto map = resample_map(std::get<Motion>(document->content).clip, resample.frame_rate);
+  auto map = retime::resample_map(std::get<Motion>(document->content).clip, resample.frame_rate);
   return finish_retiming(std::move(map), std::move(*document), resample.file, resample.retiming,
                          diagnostics, globals);
 }

@@ -8,14 +8,15 @@
 namespace kinefile::cli {
 namespace {
 
-RotationInterpolation rotation_of(const std::string& word) {
-  if (word == "nlerp") return RotationInterpolation::Nlerp;
-  if (word == "cubic") return RotationInterpolation::Cubic;
-  return word == "euler" ? RotationInterpolation::Euler : RotationInterpolation::Slerp;
+retime::RotationInterpolation rotation_of(const std::string& word) {
+  if (word == "nlerp") return retime::RotationInterpolation::Nlerp;
+  if (word == "cubic") return retime::RotationInterpolation::Cubic;
+  return word == "euler" ? retime::RotationInterpolation::Euler
+                         : retime::RotationInterpolation::Slerp;
 }
 
 /// Prints `new,old` for every new frame.
-void print_table(const TimeMap& map) {
+void print_table(const retime::TimeMap& map) {
   fmt::memory_buffer text;
   for (std::size_t n = 0; n < map.old_frames.size(); ++n) {
     fmt::format_to(std::back_inserter(text), "{},{}\n", n, map.old_frames[n]);
@@ -25,8 +26,8 @@ void print_table(const TimeMap& map) {
 
 }  // namespace
 
-RetimeOptions retime_options(const Retiming& retiming) {
-  RetimeOptions options;
+retime::RetimeOptions retime_options(const Retiming& retiming) {
+  retime::RetimeOptions options;
   options.rotation = rotation_of(retiming.rotation);
   options.antialias = retiming.has_antialias;
   options.lenient = retiming.reading.is_lenient;
@@ -78,7 +79,7 @@ Clip clip_of(const Document& document) {
   return clip;
 }
 
-int finish_retiming(Result<TimeMap> map, Document&& document, const std::string& path,
+int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
                     const Retiming& retiming, Diagnostics& diagnostics, const Globals& globals) {
   const Format* format = output_format(retiming.writing, document);
   if (format == nullptr) return no_output_format(retiming.writing, globals);
@@ -89,9 +90,10 @@ int finish_retiming(Result<TimeMap> map, Document&& document, const std::string&
   }
   Result<void> made;
   if (map) {
-    const RetimeOptions options = retime_options(retiming);
-    made = change_motion(
-        document, [&](const Motion& motion) { return retime(motion, *map, options, diagnostics); });
+    const retime::RetimeOptions options = retime_options(retiming);
+    made = change_motion(document, [&](const Motion& motion) {
+      return retime::apply(motion, *map, options, diagnostics);
+    });
   } else {
     made = fail(std::move(map.error()));
   }

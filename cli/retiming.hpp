@@ -18,7 +18,7 @@ struct Retiming {
 };
 
 /// How rotations are to be found, and so on.
-RetimeOptions retime_options(const Retiming& retiming);
+retime::RetimeOptions retime_options(const Retiming& retiming);
 
 /// Gives a command the options of `Retiming`; `--table` if it may print its map.
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table);
@@ -32,7 +32,7 @@ std::optional<Document> load_motion(const std::string& path, const Reading& read
 Clip clip_of(const Document& document);
 
 /// Ends a command: prints the map, or shows the motion by it and writes that. Reports errors.
-int finish_retiming(Result<TimeMap> map, Document&& document, const std::string& path,
+int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
                     const Retiming& retiming, Diagnostics& diagnostics, const Globals& globals);
 
 }  // namespace kinefile::cli

@@ -41,8 +41,8 @@ struct Run {
 
 /// What a flow did, and what tells what that means.
 struct Execution {
-  FlowRun run;
-  RunOptions options;
+  flow::Run run;
+  flow::RunOptions options;
   double tick_seconds = 1.0 / 60;
   std::shared_ptr<const RobotProject> project;
   std::optional<ServoMap> map;
@@ -61,17 +61,17 @@ std::uint64_t ticks_within(double seconds, double tick_seconds) {
   return static_cast<std::uint64_t>(std::min(std::max(ticks, 0.0), 1e15));
 }
 
-Result<std::vector<FlowInput>> load_inputs(const std::string& path) {
-  if (path.empty()) return std::vector<FlowInput>();
+Result<std::vector<flow::Input>> load_inputs(const std::string& path) {
+  if (path.empty()) return std::vector<flow::Input>();
   const auto bytes = FileBytes::open(path);
   if (!bytes) return fail(bytes.error());
   return parse_inputs(bytes->view(), path);
 }
 
-Result<RunOptions> options_of(const Run& run, const Execution& execution) {
-  RunOptions options;
+Result<flow::RunOptions> options_of(const Run& run, const Execution& execution) {
+  flow::RunOptions options;
   if (execution.map) options.base_pose = execution.map->base_pose;
-  if (execution.project != nullptr) options = run_options_of(*execution.project);
+  if (execution.project != nullptr) options = flow::run_options_of(*execution.project);
   const double tick_seconds = execution.tick_seconds;
   options.num_loops = run.num_loops;
   if (run.hold_seconds) options.hold_ticks = ticks_within(*run.hold_seconds, tick_seconds);
@@ -81,8 +81,8 @@ Result<RunOptions> options_of(const Run& run, const Execution& execution) {
   auto inputs = load_inputs(run.inputs);
   if (!inputs) return fail(std::move(inputs.error()));
   options.inputs = std::move(*inputs);
-  if (run.disabled == "keep") options.disabled = DisabledWords::Keep;
-  if (run.disabled == "file") options.disabled = DisabledWords::File;
+  if (run.disabled == "keep") options.disabled = flow::DisabledWords::Keep;
+  if (run.disabled == "file") options.disabled = flow::DisabledWords::File;
   options.true_takes_branch = run.mif_true == "branch";
   options.skips_division_by_zero = run.skips_division_by_zero;
   if (run.max_ticks) options.max_ticks = *run.max_ticks;
@@ -151,7 +151,7 @@ Result<Execution> execute(const Run& run, const PoseFlow& flow, Diagnostics& dia
   auto options = options_of(run, execution);
   if (!options) return fail(std::move(options.error()));
   execution.options = std::move(*options);
-  auto done = run_flow(flow, execution.options, diagnostics);
+  auto done = flow::run(flow, execution.options, diagnostics);
   if (!done) return fail(std::move(done.error()));
   execution.run = std::move(*done);
   return execution;

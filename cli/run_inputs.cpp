@@ -58,7 +58,7 @@ struct Column {
 struct Reader {
   const std::string& source;
   std::vector<Column> columns = {};
-  std::vector<FlowInput> inputs = {};
+  std::vector<flow::Input> inputs = {};
 
   /// An error at a cell, which is a part of its row's text.
   tl::unexpected<Error> refuse(const Row& row, std::string_view cell, std::string code,
@@ -101,7 +101,7 @@ struct Reader {
     return refuse(row, row.text, "RUN010", "expected a column tick, found none");
   }
 
-  Result<void> read_tick(const Row& row, std::string_view cell, FlowInput& input) const {
+  Result<void> read_tick(const Row& row, std::string_view cell, flow::Input& input) const {
     const auto tick = parse_number<std::uint64_t>(cell);
     if (!tick) {
       return refuse(row, cell, "RUN011", fmt::format("expected a tick, found '{}'", cell));
@@ -116,7 +116,7 @@ struct Reader {
   }
 
   Result<void> read_cell(const Row& row, std::string_view cell, const Column& column,
-                         FlowInput& input) const {
+                         flow::Input& input) const {
     if (column.kind == Column::Tick) return read_tick(row, cell, input);
     if (cell.empty()) return {};
     if (column.kind == Column::Held) {
@@ -141,7 +141,7 @@ struct Reader {
                     fmt::format("expected {} cells, as the header has, found {}", columns.size(),
                                 row.cells.size()));
     }
-    FlowInput input;
+    flow::Input input;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       auto read = read_cell(row, row.cells[c], columns[c], input);
       if (!read) return read;
@@ -163,7 +163,7 @@ std::optional<VariableValue> parse_variable_value(std::string_view text) {
   return VariableValue{*variable, *value};
 }
 
-Result<std::vector<FlowInput>> parse_inputs(std::string_view text, const std::string& source) {
+Result<std::vector<flow::Input>> parse_inputs(std::string_view text, const std::string& source) {
   const std::vector<Row> rows = rows_of(text);
   if (rows.empty()) {
     return fail(make_error(ErrorKind::InvalidInput, "RUN010",

@@ -18,6 +18,6 @@ std::optional<VariableValue> parse_variable_value(std::string_view text);
 /// Reads what a person and sensors do from CSV: a column "tick", and as they apply "held" (0 or 1)
 /// and variables "v64"; an empty cell changes nothing.
 /// \errors RUN010 to RUN013 with their places
-Result<std::vector<FlowInput>> parse_inputs(std::string_view text, const std::string& source);
+Result<std::vector<flow::Input>> parse_inputs(std::string_view text, const std::string& source);
 
 }  // namespace kinefile::cli

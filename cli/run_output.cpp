@@ -68,7 +68,7 @@ struct Writer {
     const auto& events = table.run.events;
     std::string sound, mask;
     for (; next_event < events.size() && events[next_event].tick == tick; ++next_event) {
-      const FlowEvent& event = events[next_event];
+      const flow::Event& event = events[next_event];
       if (!event.sound.empty()) sound = event.sound;
       if (event.changes_servos) mask = mask_text(event.servo_off);
     }
@@ -100,7 +100,7 @@ struct Writer {
 };
 
 /// What a step did, beyond its block's kind and name.
-std::string deed_of(const PoseFlow& flow, const FlowStep& step, const RunOptions& options) {
+std::string deed_of(const PoseFlow& flow, const flow::Step& step, const flow::RunOptions& options) {
   const Block& block = flow.blocks[step.block];
   if (const auto* pose = std::get_if<PoseBlock>(&block.body)) {
     std::string text = fmt::format(", {} tick{}", pose->ticks, pose->ticks == 1 ? "" : "s");
@@ -119,13 +119,13 @@ std::string deed_of(const PoseFlow& flow, const FlowStep& step, const RunOptions
   return fmt::format(", v{} is {}: {}", branch->variable, step.value, is_true);
 }
 
-std::string_view end_text(FlowEnd end) {
+std::string_view end_text(flow::End end) {
   switch (end) {
-    case FlowEnd::EndBlock:
+    case flow::End::EndBlock:
       return "ends";
-    case FlowEnd::NoArrow:
+    case flow::End::NoArrow:
       return "stops where an arrow leads nowhere";
-    case FlowEnd::MaxTicks:
+    case flow::End::MaxTicks:
       return "is cut off by the limit of time";
   }
   return "";
@@ -141,7 +141,7 @@ double seconds_of(std::uint64_t tick, double tick_seconds) {
 
 bool write_run_csv(const RunTable& table, const Sink& sink) {
   Writer writer{table, sink, columns_of(table)};
-  for (const FlowEvent& event : table.run.events) {
+  for (const flow::Event& event : table.run.events) {
     writer.has_sounds = writer.has_sounds || !event.sound.empty();
     writer.has_masks = writer.has_masks || event.changes_servos;
   }
@@ -153,18 +153,18 @@ bool write_run_csv(const RunTable& table, const Sink& sink) {
   return writer.hand_on();
 }
 
-std::string trace_of(const PoseFlow& flow, const FlowRun& run, const RunOptions& options,
+std::string trace_of(const PoseFlow& flow, const flow::Run& run, const flow::RunOptions& options,
                      double tick_seconds) {
   std::string text;
   const auto out = std::back_inserter(text);
-  for (const FlowStep& step : run.path) {
+  for (const flow::Step& step : run.path) {
     const Block& block = flow.blocks[step.block];
     fmt::format_to(out, "{:6} {:9.3f}  {} {}", step.tick, seconds_of(step.tick, tick_seconds),
                    step.block, body_name(block));
     if (!block.name.empty()) fmt::format_to(out, " \"{}\"", block.name);
     text += deed_of(flow, step, options) + "\n";
   }
-  for (const FlowEvent& event : run.events) {
+  for (const flow::Event& event : run.events) {
     const double seconds = seconds_of(event.tick, tick_seconds);
     if (event.changes_servos) {
       fmt::format_to(out, "{:6} {:9.3f}  servos off {}\n", event.tick, seconds,

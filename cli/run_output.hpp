@@ -13,7 +13,7 @@ double seconds_of(std::uint64_t tick, double tick_seconds);
 
 /// What a table of a run shows of its sliders.
 struct RunTable {
-  const FlowRun& run;
+  const flow::Run& run;
   double tick_seconds = 1.0 / 60;
   /// Of which degrees are shown, under the names of sliders; null: words.
   const RobotProject* project = nullptr;
@@ -26,7 +26,7 @@ bool write_run_csv(const RunTable& table, const Sink& sink);
 
 /// The way that a run took, a line a block, its events, how it ended and what it left behind.
 /// \param options  how it was run
-std::string trace_of(const PoseFlow& flow, const FlowRun& run, const RunOptions& options,
+std::string trace_of(const PoseFlow& flow, const flow::Run& run, const flow::RunOptions& options,
                      double tick_seconds);
 
 }  // namespace kinefile::cli

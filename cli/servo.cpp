@@ -29,19 +29,19 @@ ServoMap with_link_names(ServoMap map, const Document& robot) {
   return map;
 }
 
-Result<Document> document_of_run(const FlowRun& run, const ServoMap& map, const Document* skeleton,
-                                 Diagnostics& diagnostics) {
+Result<Document> document_of_run(const flow::Run& run, const ServoMap& map,
+                                 const Document* skeleton, Diagnostics& diagnostics) {
   Document document;
   const auto put = [&document](auto&& made) -> Result<Document> {
     if (!made) return fail(std::move(made.error()));
     document.content = std::move(*made);
     return std::move(document);
   };
-  if (skeleton == nullptr) return put(unroll(run, map, nullptr, diagnostics));
+  if (skeleton == nullptr) return put(servo::unroll(run, map, nullptr, diagnostics));
   const ServoMap own = with_link_names(map, *skeleton);
   const Skeleton& joints = skeleton_of(*skeleton);
-  if (is_robot(joints)) return put(unroll(run, own, &joints, diagnostics));
-  return put(motion_of_run(run, own, joints, diagnostics));
+  if (robot::is_robot(joints)) return put(servo::unroll(run, own, &joints, diagnostics));
+  return put(servo::motion_of_run(run, own, joints, diagnostics));
 }
 
 }  // namespace kinefile::cli

@@ -19,7 +19,7 @@ ServoMap with_link_names(ServoMap map, const Document& robot);
 /// figure.
 /// \param skeleton  a robot or a figure whose joints the map names; may be null
 /// \errors SVM010
-Result<Document> document_of_run(const FlowRun& run, const ServoMap& map, const Document* skeleton,
-                                 Diagnostics& diagnostics);
+Result<Document> document_of_run(const flow::Run& run, const ServoMap& map,
+                                 const Document* skeleton, Diagnostics& diagnostics);
 
 }  // namespace kinefile::cli

@@ -24,13 +24,13 @@ struct Warp {
 };
 
 /// Reads OLD:NEW.
-std::optional<WarpKey> parse_key(std::string_view text) {
+std::optional<retime::WarpKey> parse_key(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
   const auto old_frame = parse_finite(text.substr(0, colon));
   const auto new_frame = parse_finite(text.substr(colon + 1));
   if (!old_frame || !new_frame) return std::nullopt;
-  return WarpKey{*old_frame, *new_frame};
+  return retime::WarpKey{*old_frame, *new_frame};
 }
 
 std::string check_keys(const std::string& text) {
@@ -41,14 +41,15 @@ std::string check_keys(const std::string& text) {
 }
 
 std::string check_ease(const std::string& text) {
-  return parse_ease(text) ? "" : "expected an ease such as smooth, in-out:3, bezier:0.4,0,0.6,1";
+  return retime::parse_ease(text) ? ""
+                                  : "expected an ease such as smooth, in-out:3, bezier:0.4,0,0.6,1";
 }
 
-std::vector<WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
-  std::vector<WarpKey> keys;
+std::vector<retime::WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
+  std::vector<retime::WarpKey> keys;
   for (const std::string& text : warp.keys) {
     for (const std::string& part : CLI::detail::split(text, ',')) {
-      WarpKey key = *parse_key(part);
+      retime::WarpKey key = *parse_key(part);
       if (warp.is_in_seconds) {
         key = {frame_of_time(timeline, key.old_frame), frame_of_time(timeline, key.new_frame)};
       }
@@ -58,16 +59,17 @@ std::vector<WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
   return keys;
 }
 
-Result<TimeMap> make_map(const Warp& warp, const Document& document, Diagnostics& diagnostics) {
+Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
+                                 Diagnostics& diagnostics) {
   const Clip clip = clip_of(document);
-  WarpOptions options;
+  retime::WarpOptions options;
   options.keys = keys_of(warp, clip.timeline);
-  if (warp.tail == "extend") options.tail = Tail::Extend;
-  if (warp.tail == "uniform") options.tail = Tail::Uniform;
-  if (warp.curve == "pchip") options.curve = WarpCurve::Pchip;
-  if (warp.curve == "steffen") options.curve = WarpCurve::Steffen;
-  if (warp.curve == "hermite") options.curve = WarpCurve::Hermite;
-  if (!warp.ease.empty()) options.ease = *parse_ease(warp.ease);
+  if (warp.tail == "extend") options.tail = retime::Tail::Extend;
+  if (warp.tail == "uniform") options.tail = retime::Tail::Uniform;
+  if (warp.curve == "pchip") options.curve = retime::WarpCurve::Pchip;
+  if (warp.curve == "steffen") options.curve = retime::WarpCurve::Steffen;
+  if (warp.curve == "hermite") options.curve = retime::WarpCurve::Hermite;
+  if (!warp.ease.empty()) options.ease = *retime::parse_ease(warp.ease);
   options.allow_hold = warp.allows_hold;
   options.allow_reverse = warp.allows_reverse;
   if (warp.follows_contacts) {
@@ -76,11 +78,11 @@ Result<TimeMap> make_map(const Warp& warp, const Document& document, Diagnostics
       return fail(make_error(ErrorKind::Usage, "CLI002",
                              "expected a motion with a skeleton for --contacts, found components"));
     }
-    auto weights = contact_weights(*motion, diagnostics);
+    auto weights = retime::contact_weights(*motion, diagnostics);
     if (!weights) return fail(std::move(weights.error()));
     options.weights = std::move(*weights);
   }
-  return warp_map(clip.num_frames, options);
+  return retime::warp_map(clip.num_frames, options);
 }
 
 int run(const Warp& warp, const Globals& globals) {

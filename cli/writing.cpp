@@ -53,9 +53,9 @@ Result<void> change_components(BodyMotion& body, bool must_agree,
   }
   for (Component& component : body.components) {
     if (component.kind == ComponentKind::Other) continue;
-    auto changed = change(motion_of_component(component));
+    auto changed = change(robot::motion_of_component(component));
     if (!changed) return fail(std::move(changed.error()));
-    component = with_frames_of(component, *changed);
+    component = robot::with_frames_of(component, *changed);
   }
   return {};
 }
@@ -75,9 +75,9 @@ namespace {
 KindOptions kind_options(const Writing& writing, const Reading& reading) {
   KindOptions options;
   options.lenient = reading.is_lenient;
-  if (writing.form == "links") options.form = BodyForm::Links;
-  if (writing.form == "joints") options.form = BodyForm::Joints;
-  if (writing.form == "both") options.form = BodyForm::Both;
+  if (writing.form == "links") options.form = robot::BodyForm::Links;
+  if (writing.form == "joints") options.form = robot::BodyForm::Joints;
+  if (writing.form == "both") options.form = robot::BodyForm::Both;
   if (writing.flow_format == "word_n") options.flow_format = FlowFormat::WordN;
   if (writing.flow_format == "v1r4") options.flow_format = FlowFormat::V1R4;
   options.keeps_up = writing.up == "as-is";
@@ -120,7 +120,7 @@ Result<Document> in_wanted_kind(Document&& document, const Format& format, const
 
 Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
                            const Reading& reading, Diagnostics& diagnostics) {
-  ChannelOptions channels = writing.channels;
+  shape::ChannelOptions channels = writing.channels;
   channels.lenient = reading.is_lenient;
   const auto kept = document.extras.file.find("positions");
   channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";

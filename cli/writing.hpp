@@ -14,13 +14,13 @@ struct Writing {
   std::string to;   ///< the name of a format; empty: the output's name tells
   std::optional<int> decimals;
   bool may_replace = false;
-  ChannelOptions channels;  ///< that the motion is to have
-  WriteOptions format;      ///< what single formats can be told
-  std::string form;         ///< of a body motion: links, joints, both; empty: as it is
-  std::string joint_map;    ///< a file: which joint a robot's joints follow
-  std::string robot;        ///< --robot
-  std::string flow_format;  ///< of a flow: word_n or v1r4; empty: as it is
-  std::string up;           ///< y, z or as-is; empty: what the format has
+  shape::ChannelOptions channels;  ///< that the motion is to have
+  WriteOptions format;             ///< what single formats can be told
+  std::string form;                ///< of a body motion: links, joints, both; empty: as it is
+  std::string joint_map;           ///< a file: which joint a robot's joints follow
+  std::string robot;               ///< --robot
+  std::string flow_format;         ///< of a flow: word_n or v1r4; empty: as it is
+  std::string up;                  ///< y, z or as-is; empty: what the format has
 };
 
 /// Gives a command the options of `Writing` but for the output itself, which some take by place.

@@ -80,21 +80,21 @@ PoseFlow flow_of(Bytes& bytes) {
   return flow;
 }
 
-RunOptions options_of(Bytes& bytes) {
-  RunOptions options;
+flow::RunOptions options_of(Bytes& bytes) {
+  flow::RunOptions options;
   options.num_loops = static_cast<std::uint64_t>(bytes.byte());
   options.max_ticks = static_cast<std::uint64_t>(bytes.byte()) * 8;
   if (bytes.flag()) options.hold_ticks = static_cast<std::uint64_t>(bytes.byte());
   if (bytes.flag()) options.base_pose = {bytes.word(), bytes.word()};
   if (bytes.flag()) options.jumps = {bytes.flag(), bytes.flag()};
   if (bytes.flag()) options.variables.emplace_back(bytes.byte(), bytes.word());
-  options.disabled = static_cast<DisabledWords>(bytes.below(3));
+  options.disabled = static_cast<flow::DisabledWords>(bytes.below(3));
   options.true_takes_branch = bytes.flag();
   options.skips_division_by_zero = bytes.flag();
   std::uint64_t tick = 0;
   for (int i = bytes.below(5); i > 0; --i) {
     tick += static_cast<std::uint64_t>(bytes.byte());
-    FlowInput& input = options.inputs.emplace_back();
+    flow::Input& input = options.inputs.emplace_back();
     input.tick = tick;
     if (bytes.flag()) input.is_held = bytes.flag();
     input.variables.emplace_back(bytes.byte(), bytes.word());
@@ -114,25 +114,25 @@ void check_flow(const PoseFlow& flow) {
   }
 }
 
-std::optional<FlowRun> check_run(const PoseFlow& flow, const RunOptions& options) {
+std::optional<flow::Run> check_run(const PoseFlow& flow, const flow::RunOptions& options) {
   Diagnostics diagnostics;
-  auto run = run_flow(flow, options, diagnostics);
+  auto run = flow::run(flow, options, diagnostics);
   if (!run) return std::nullopt;
   require(run->num_ticks <= options.max_ticks);
   require(run->sliders.size() == (run->num_ticks + 1) * flow.num_sliders);
   require(!run->path.empty() && run->path.back().tick <= run->num_ticks);
-  for (const FlowEvent& event : run->events) require(event.tick <= run->num_ticks);
+  for (const flow::Event& event : run->events) require(event.tick <= run->num_ticks);
   return std::move(*run);
 }
 
 /// A flow in the other format runs the same while a button is held or not.
-void check_format(const PoseFlow& flow, const RunOptions& options) {
+void check_format(const PoseFlow& flow, const flow::RunOptions& options) {
   const FlowFormat other = flow.format == FlowFormat::V1R4 ? FlowFormat::WordN : FlowFormat::V1R4;
   Diagnostics diagnostics;
-  const auto made = in_flow_format(flow, other, diagnostics);
+  const auto made = flow::in_format(flow, other, diagnostics);
   if (!made) return;
   check_flow(*made);
-  RunOptions held = options;
+  flow::RunOptions held = options;
   held.inputs.clear();
   held.variables.clear();
   held.hold_ticks = options.num_loops;
@@ -150,14 +150,15 @@ void check_made(const Made& made) {
 void check_edits(const PoseFlow& flow, Bytes& bytes) {
   Diagnostics diagnostics;
   const auto number = static_cast<std::size_t>(bytes.byte());
-  const std::vector<MirrorPair> pairs = {{number % 64, static_cast<std::size_t>(bytes.below(64))}};
-  check_made(mirrored_flow(flow, pairs, diagnostics));
-  check_made(reversed_flow(flow));
-  check_made(with_flow_speed(flow, (1 + bytes.byte()) / 64.0, diagnostics));
-  check_made(with_slider_offset(flow, number % 64, bytes.word()));
-  check_made(merged_flow(flow, flow, {number % 64}));
-  check_made(with_inserted(flow, number % 24, flow));
-  check_made(without_block(flow, number % 24));
+  const std::vector<flow::MirrorPair> pairs = {
+      {number % 64, static_cast<std::size_t>(bytes.below(64))}};
+  check_made(flow::mirror(flow, pairs, diagnostics));
+  check_made(flow::reverse(flow));
+  check_made(flow::speed(flow, (1 + bytes.byte()) / 64.0, diagnostics));
+  check_made(flow::offset(flow, number % 64, bytes.word()));
+  check_made(flow::merge(flow, flow, {number % 64}));
+  check_made(flow::insert(flow, number % 24, flow));
+  check_made(flow::erase(flow, number % 24));
 }
 
 }  // namespace
@@ -165,9 +166,9 @@ void check_edits(const PoseFlow& flow, Bytes& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   const PoseFlow flow = flow_of(bytes);
-  const RunOptions options = options_of(bytes);
+  const flow::RunOptions options = options_of(bytes);
   check_run(flow, options);
-  require(!flow_graph(flow).empty());
+  require(!flow::graph(flow).empty());
   check_format(flow, options);
   check_edits(flow, bytes);
   return 0;

@@ -10,6 +10,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Layer: the layers that it may include. Public headers belong to a layer each, see PUBLIC.
+_BELOW_OPERATIONS = ["base", "simd", "math", "model", "kinematics"]
+OPERATIONS = ["retime", "edit", "shape", "flow", "robot", "servo"]
+
 LAYERS = {
     "base": [],
     "simd": ["base"],
@@ -19,30 +22,29 @@ LAYERS = {
     "format": ["base", "text", "math", "model"],
     "registry": ["base", "text", "math", "model", "format"],
     "kinematics": ["base", "simd", "math", "model"],
-    "retime": ["base", "simd", "math", "model", "kinematics"],
-    "edit": ["base", "simd", "math", "model", "kinematics", "retime"],
+    "retime": _BELOW_OPERATIONS,
+    "edit": _BELOW_OPERATIONS + ["retime"],
+    "shape": _BELOW_OPERATIONS,
     "flow": ["base", "model"],
-    "bridge": ["base", "simd", "math", "model", "kinematics", "edit", "flow"],
+    "robot": _BELOW_OPERATIONS,
+    "servo": _BELOW_OPERATIONS + ["flow", "robot"],
     "io": ["base", "text", "model", "registry"],
-    "convert": ["base", "math", "model", "registry", "kinematics", "edit", "flow", "bridge", "io"],
-    "all": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit", "flow",
-            "bridge", "convert", "io"],
-    "cli": ["base", "math", "model", "format", "registry", "kinematics", "retime", "edit",
-            "flow", "bridge", "convert", "io", "all"],
+    "document": _BELOW_OPERATIONS + OPERATIONS + ["registry", "io"],
+    "all": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io"],
+    "cli": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io", "all"],
 }
 
 # The layer that declares what a public header has.
 PUBLIC = {
     "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
-    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "pose_table": "model", "joint_map": "model",
+    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model",
+    "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",
+    "servo_map": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
-    "retime": "retime", "edit": "edit", "channels": "edit", "anomalies": "kinematics",
-    "limits": "kinematics",
-    "pose_flow": "model", "robot_project": "model", "servo_map": "model",
-    "flow": "flow", "servo_motion": "bridge",
-    "bridge": "bridge", "body_bridge": "bridge", "convert": "convert", "io": "io",
-    "kinefile": "all",
+    "anomalies": "kinematics", "limits": "kinematics",
+    "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
+    "servo": "servo", "convert": "document", "io": "io", "kinefile": "all",
 }
 
 # Third-party headers that public headers may show, and what only some layers may use.

@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "kinefile/body_bridge.hpp"
-#include "kinefile/channels.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/joint_map.hpp"
+#include "kinefile/robot.hpp"
+#include "kinefile/shape.hpp"
 
 namespace kinefile {
 
@@ -17,15 +17,16 @@ namespace kinefile {
 /// Formats that write anything leave the document as it is.
 /// \param channels  other channels that the motion is to have; its `lenient` leaves out what cannot
 ///                  be said, with a warning each
-/// \errors those of bridge.hpp and of `with_channels`
-Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
-                            Diagnostics& diagnostics);
+/// \errors those of bridge.hpp and of `shape::with_channels`
+Result<Document> adapted_to(const Format& format, Document document,
+                            const shape::ChannelOptions& channels, Diagnostics& diagnostics);
 
 /// How a motion becomes a body motion, or the other way around.
 struct KindOptions {
-  std::optional<BodyForm> form = std::nullopt;  ///< absent: as it is; joints of a robot, else links
-  const Document* model = nullptr;              ///< the robot of the body motion; null: none
-  JointMap joint_map = {};                      ///< for a motion that goes onto it
+  std::optional<robot::BodyForm> form =
+      std::nullopt;                 ///< absent: as it is; joints of a robot, else links
+  const Document* model = nullptr;  ///< the robot of the body motion; null: none
+  JointMap joint_map = {};          ///< for a motion that goes onto it
   std::optional<std::size_t> up = std::nullopt;  ///< the axis that is to point up, 1 y or 2 z;
                                                  ///< absent: z for body motions, y for BVH and ASF
   bool keeps_up = false;                         ///< leaves the axes as they are
@@ -35,7 +36,7 @@ struct KindOptions {
 
 /// Brings a document into a kind that a format can write: a motion for BVH, ASF, AMC and CSV, a
 /// body motion for .seq; a flow goes into the format that is asked for. What had to be taken for
-/// granted is told in notes. \errors those of body_bridge.hpp and of `in_flow_format`; CNV002
+/// granted is told in notes. \errors those of body_bridge.hpp and of `flow::in_format`; CNV002
 /// (Usage) if there is no way
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics);
@@ -44,9 +45,9 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
 /// that it was read with, say.
 bool are_written_alike(const Format& format, const Document& a, const Document& b);
 
-/// Puts a document's motion on another skeleton (see `onto_skeleton`), with what that one's format
-/// keeps of it.
-/// \errors those of `onto_skeleton`; CNV001 (Usage) for a document without a motion
+/// Puts a document's motion on another skeleton (see `shape::onto_skeleton`), with what that one's
+/// format keeps of it. \errors those of `shape::onto_skeleton`; CNV001 (Usage) for a document
+/// without a motion
 Result<Document> on_skeleton_of(const Document& skeleton, Document document,
                                 Diagnostics& diagnostics);
 

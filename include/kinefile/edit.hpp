@@ -10,15 +10,15 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 
 /// The frames from `begin` to `end`, `end` not included, bit for bit. The file's own number of the
 /// first frame moves along.
 /// \errors EDT003 (Usage) if they are not frames of the motion
-Result<Motion> trimmed(const Motion& motion, std::size_t begin, std::size_t end);
+Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end);
 
 /// The frames from the last to the first, bit for bit.
-Motion reversed(const Motion& motion);
+Motion reverse(const Motion& motion);
 
 /// The motion in a mirror: what the left side did, the right side does. The skeleton stays, even
 /// where its halves differ. Joints are paired by name (Left/Right and 左/右 anywhere, l/r and L/R
@@ -32,15 +32,15 @@ Motion reversed(const Motion& motion);
 ///              `guess_mirror_axis`
 /// \errors EDT004 (Usage) if a joint that moves has no other half, or the other half cannot move as
 ///         it does, and not `lenient`; then they mirror as they can, with a warning
-Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
-                        Diagnostics& diagnostics);
+Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
+                      Diagnostics& diagnostics);
 
 /// The axis along which the halves of a skeleton that are paired by name lie apart in the rest
 /// pose, most of all: 0 x, 1 y, 2 z. x where no joints are.
 std::size_t guess_mirror_axis(const Skeleton& skeleton);
 
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
-Motion scaled(const Motion& motion, double factor);
+Motion scale(const Motion& motion, double factor);
 
 /// The same motion in coordinates in which another axis points up: turned about x by a quarter.
 /// The skeleton's offsets and axes turn along, so that angles stay as they are: every bit but the
@@ -48,16 +48,16 @@ Motion scaled(const Motion& motion, double factor);
 /// and back to y is the same skeleton and the same bits.
 /// With a note (EDT009) and no change if that axis points up already (see `guess_up_axis`).
 /// \param axis  1 for y, 2 for z
-Motion with_up_axis(const Motion& motion, std::size_t axis, Diagnostics& diagnostics);
+Motion up(const Motion& motion, std::size_t axis, Diagnostics& diagnostics);
 
 /// The motion on the spot: every root stays over the place on the ground where it starts. Columns
 /// along the axis that points up (see `guess_up_axis`) keep every bit.
 Motion in_place(const Motion& motion);
 
 /// The motion `count` times. Without blending every bit is kept, and the figure jumps back to its
-/// start; with blending see `appended`.
-/// \errors EDT005 (Usage) as `appended`; or `count` is 0, or the result would be too large
-Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
+/// start; with blending see `append`.
+/// \errors EDT005 (Usage) as `append`; or `count` is 0, or the result would be too large
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
 
 /// One motion and then another. Without blending every bit is kept. With blending the second is
 /// moved and turned on the ground so that its root goes on where the first one's is, in the middle
@@ -67,20 +67,19 @@ Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_b
 /// skeleton's size; rest values may differ. Frame rates agree to 1e-6. \errors EDT005 (Usage) if
 /// the skeletons or frame rates differ, one has fewer frames than are
 ///         to be blended, or the result would have more than 2^30 values
-Result<Motion> appended(const Motion& first, const Motion& second, std::size_t num_blend_frames);
+Result<Motion> append(const Motion& first, const Motion& second, std::size_t num_blend_frames);
 
 /// The motion of some joints and of all joints above them, which keep their places in the world.
 /// A joint that loses all children and has no tip gets tips where they were; with a warning
 /// (EDT010) if they moved there. Columns go with their joints, unless a joint that stays reads
 /// them. \errors EDT006 (Usage) if a name is no joint's
-Result<Motion> with_joints(const Motion& motion, std::span<const std::string> names,
-                           Diagnostics& diagnostics);
+Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
+                      Diagnostics& diagnostics);
 
 /// Gives a joint another name, in the skeleton and in what its format keeps of it. Of a name that
 /// several joints have, all of them.
 /// \errors EDT006 (Usage) if the old name is no joint's, or the new one is another's or empty
-Result<void> rename_joint(Document& document, const std::string& old_name,
-                          const std::string& new_name);
+Result<void> rename(Document& document, const std::string& old_name, const std::string& new_name);
 
 /// The motion without what changes faster than a cut-off frequency: a Butterworth filter of second
 /// order, run forwards and backwards, so that nothing is delayed. Three rotations of a joint are
@@ -91,11 +90,11 @@ Result<void> rename_joint(Document& document, const std::string& old_name,
 /// \errors EDT007 (Usage) for another cut-off, EDT008 (InvalidInput) for values that are not finite
 /// Source: Butterworth, Wireless Engineer 7 (1930); Winter, "Biomechanics and Motor Control of
 /// Human Movement" (forwards and backwards).
-Result<Motion> smoothed(const Motion& motion, double cutoff_hz);
+Result<Motion> smooth(const Motion& motion, double cutoff_hz);
 
 /// The same motion with angles that do not jump: whole turns, and for three rotations of a joint
 /// the other triple for the same rotation, where that is nearer to the frame before; for joints
 /// that move freely the other sign of the quaternion. Values that need no change keep every bit.
-Motion unwrapped(const Motion& motion);
+Motion unwrap(const Motion& motion);
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

@@ -15,7 +15,7 @@
 #include "kinefile/result.hpp"
 #include "kinefile/robot_project.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 
 /// What becomes of a slider whose word says that it is disabled (0X).
 enum class DisabledWords {
@@ -25,7 +25,7 @@ enum class DisabledWords {
 };
 
 /// What a person or a sensor does at a tick, and from then on.
-struct FlowInput {
+struct Input {
   std::uint64_t tick = 0;
   std::optional<bool> is_held;  ///< whether the motion's button is pressed
   std::vector<std::pair<std::size_t, std::int16_t>> variables;  ///< number and value
@@ -39,8 +39,8 @@ struct RunOptions {
                                 ///< pose with a break) before it leaves
   std::optional<std::uint64_t> hold_ticks;  ///< the button is held so long, instead
   std::vector<std::pair<std::size_t, std::int16_t>> variables;  ///< at the start
-  std::vector<FlowInput> inputs;  ///< by tick, none earlier than the one before; where one says
-                                  ///< `is_held`, it stands instead of `num_loops`
+  std::vector<Input> inputs;  ///< by tick, none earlier than the one before; where one says
+                              ///< `is_held`, it stands instead of `num_loops`
   DisabledWords disabled = DisabledWords::Base;
   bool true_takes_branch = true;        ///< of branch blocks; else the normal way
   bool skips_division_by_zero = false;  ///< leaves the variable; else an error
@@ -51,7 +51,7 @@ struct RunOptions {
 RunOptions run_options_of(const RobotProject& project);
 
 /// The block that was entered at a tick.
-struct FlowStep {
+struct Step {
   std::uint64_t tick = 0;
   std::size_t block = 0;
   std::int16_t value = 0;     ///< of arithmetic the result; of a branch block its variable
@@ -59,7 +59,7 @@ struct FlowStep {
 };
 
 /// What else happens: when a pose begins, or when variables 62 and 63 change otherwise.
-struct FlowEvent {
+struct Event {
   std::uint64_t tick = 0;
   std::size_t block = 0;
   std::string sound;                  ///< starts; empty: none
@@ -67,21 +67,21 @@ struct FlowEvent {
   bool changes_servos = false;        ///< whether `servo_off` differs from before
 };
 
-enum class FlowEnd {
+enum class End {
   EndBlock,  ///< of WORD_N: a pose without next
   NoArrow,   ///< an arrow that leads nowhere
   MaxTicks,  ///< the limit of time
 };
 
 /// What a robot did: sliders at every tick from 0 on.
-struct FlowRun {
+struct Run {
   std::size_t num_sliders = 0;
   std::size_t num_ticks = 0;          ///< its duration; there is a row more
   std::vector<std::int16_t> sliders;  ///< [tick][slider], `num_ticks + 1` rows
-  std::vector<FlowStep> path;
-  std::vector<FlowEvent> events;
+  std::vector<Step> path;
+  std::vector<Event> events;
   std::array<std::int16_t, kNumVariables> variables = {};  ///< at the end
-  FlowEnd end = FlowEnd::EndBlock;
+  End end = End::EndBlock;
 };
 
 /// Runs a flow tick by tick: always with the same result, and always with an end.
@@ -92,15 +92,15 @@ struct FlowRun {
 /// \errors RUN001 (InvalidInput) for a division by zero, RUN003 for blocks that go round without a
 ///         pose, RUN004 if there is no block to begin with; each at the line of its block
 /// Source: docs/formats/robovie.md, "How a flow runs", which marks what is our inference.
-Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options, Diagnostics& diagnostics);
+Result<Run> run(const PoseFlow& flow, const RunOptions& options, Diagnostics& diagnostics);
 
 /// The flow as Graphviz DOT, placed as the editor draws it; loops, branches and blocks that no way
 /// leads to are marked.
-std::string flow_graph(const PoseFlow& flow);
+std::string graph(const PoseFlow& flow);
 
 /// The same flow in the other format, or as it is.
 /// \errors FLW001 (DataLoss) with the reason, if a flow cannot be said in WORD_N
-Result<PoseFlow> in_flow_format(const PoseFlow& flow, FlowFormat format, Diagnostics& diagnostics);
+Result<PoseFlow> in_format(const PoseFlow& flow, FlowFormat format, Diagnostics& diagnostics);
 
 /// Which slider shows a slider's value in a mirror, and with which sign.
 struct MirrorPair {
@@ -120,34 +120,34 @@ std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<M
 /// The flow in a mirror: poses swap the words of pairs, and whether the servos of the same numbers
 /// have power. -32768 becomes 32767, with a note.
 /// \errors FLW002 (Usage) if a slider is in two pairs or is none of the flow
-Result<PoseFlow> mirrored_flow(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
-                               Diagnostics& diagnostics);
+Result<PoseFlow> mirror(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
+                        Diagnostics& diagnostics);
 
 /// The poses of a flow that goes straight on, from the last to the first, with times that fit.
 /// \errors FLW003 (Usage) if it loops, branches or computes
-Result<PoseFlow> reversed_flow(const PoseFlow& flow);
+Result<PoseFlow> reverse(const PoseFlow& flow);
 
 /// All times divided by a factor, rounded; a pose longer than 239 ticks is split on its line, one
 /// shorter than a tick takes one, with a note.
 /// \errors FLW004 (Usage) if the factor is not above 0, or the flow would be too long
-Result<PoseFlow> with_flow_speed(const PoseFlow& flow, double factor, Diagnostics& diagnostics);
+Result<PoseFlow> speed(const PoseFlow& flow, double factor, Diagnostics& diagnostics);
 
 /// Adds to the words of a slider in all poses that enable it.
 /// \errors FLW005 (Usage) if there is no such slider, or a word leaves 16 bits
-Result<PoseFlow> with_slider_offset(const PoseFlow& flow, std::size_t slider, int offset);
+Result<PoseFlow> offset(const PoseFlow& flow, std::size_t slider, int offset);
 
 /// Takes sliders from another flow with as many poses on its way: words and whether they are
 /// enabled, pose by pose in the order of their blocks.
 /// \errors FLW006 (Usage) if the numbers of poses differ or a slider is none
-Result<PoseFlow> merged_flow(const PoseFlow& flow, const PoseFlow& other,
-                             const std::vector<std::size_t>& sliders);
+Result<PoseFlow> merge(const PoseFlow& flow, const PoseFlow& other,
+                       const std::vector<std::size_t>& sliders);
 
 /// Puts the poses of a straight flow after a block, on its normal way; all arrows are renumbered.
 /// \errors FLW003 if `other` is not straight; FLW007 (Usage) if there is no such block
-Result<PoseFlow> with_inserted(const PoseFlow& flow, std::size_t block, const PoseFlow& other);
+Result<PoseFlow> insert(const PoseFlow& flow, std::size_t block, const PoseFlow& other);
 
 /// Takes out a block; arrows to it go where its normal way went, and all are renumbered.
 /// \errors FLW007 (Usage) if there is no such block or it is the start
-Result<PoseFlow> without_block(const PoseFlow& flow, std::size_t block);
+Result<PoseFlow> erase(const PoseFlow& flow, std::size_t block);
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

@@ -4,10 +4,7 @@
 /// The whole public interface of kinefile.
 
 #include "kinefile/anomalies.hpp"
-#include "kinefile/body_bridge.hpp"
 #include "kinefile/body_motion.hpp"
-#include "kinefile/bridge.hpp"
-#include "kinefile/channels.hpp"
 #include "kinefile/clip.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/convert.hpp"
@@ -27,9 +24,11 @@
 #include "kinefile/pose_table.hpp"
 #include "kinefile/result.hpp"
 #include "kinefile/retime.hpp"
+#include "kinefile/robot.hpp"
 #include "kinefile/robot_project.hpp"
+#include "kinefile/servo.hpp"
 #include "kinefile/servo_map.hpp"
-#include "kinefile/servo_motion.hpp"
+#include "kinefile/shape.hpp"
 #include "kinefile/skeleton.hpp"
 #include "kinefile/timeline.hpp"
 #include "kinefile/version.hpp"

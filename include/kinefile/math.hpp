@@ -16,6 +16,9 @@ using Quat = Eigen::Quaterniond;  ///< constructed as (w, x, y, z)
 
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
+/// Unit vectors that differ by less are the same direction.
+inline constexpr double kSameDirection = 1e-9;
+
 /// 0, 1 or 2 for the unit vector along x, y or z; nothing for any other, their opposites too.
 std::optional<std::size_t> coordinate_axis(const Vec3& axis);
 

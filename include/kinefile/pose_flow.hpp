@@ -106,7 +106,7 @@ struct Block {
 bool operator==(const Block& a, const Block& b);
 
 /// A program for a servo robot: poses, loops, branches, arithmetic. It has no duration until it is
-/// run (`run_flow`), and no angles until a servo map says what its words mean.
+/// run (`flow::run`), and no angles until a servo map says what its words mean.
 /// Source: spec roboviemaker-motion ("RobovieMaker2 course", no. 6).
 struct PoseFlow {
   FlowFormat format = FlowFormat::V1R4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <tl/expected.hpp>
 #include <utility>
 
@@ -17,5 +18,9 @@ class [[nodiscard]] Result : public tl::expected<T, Error> {
 
 /// Turns an error into the failed state of any `Result`.
 inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
+/// The same of an error that has no place in a text.
+inline tl::unexpected<Error> fail(ErrorKind kind, std::string code, std::string message) {
+  return fail(make_error(kind, std::move(code), std::move(message)));
+}
 
 }  // namespace kinefile

@@ -9,7 +9,7 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 
 /// Which frame of an old motion each frame of a new one shows, fractions included.
 struct TimeMap {
@@ -166,7 +166,7 @@ struct RetimeOptions {
 /// Gaussian curve with a sigma of half as many frames, cut at three sigma.
 /// \errors RTM005 (InvalidInput) if a joint would have to be interpolated between numbers that are
 ///         not finite, and not `lenient`; RTM008 (Usage) for more than 2^30 values
-Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
-                      Diagnostics& diagnostics);
+Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
+                     Diagnostics& diagnostics);
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

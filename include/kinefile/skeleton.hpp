@@ -15,6 +15,9 @@ namespace kinefile {
 
 inline constexpr std::size_t kNoParent = std::numeric_limits<std::size_t>::max();
 
+/// The columns that a free joint reads. They are the first ones of a robot, whose root is free.
+inline constexpr std::size_t kRootColumns = 7;
+
 enum class AngleUnit { Degrees, Radians };
 
 /// The radians in one unit of an angle.

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <optional>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 /// How a joint's frame is turned in its parent's frame.
@@ -54,8 +54,9 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
     const Quat between = rotation_of(root, to, unit) * rotation_of(root, from, unit).conjugate();
     if (between.coeffs().allFinite()) move.turn = twist_about(between, up);
   }
-  const auto slides = slides_of(root);
-  move.shift = position_in_row(root, slides, to) - move.turn * position_in_row(root, slides, from);
+  const auto translations = translation_columns(root);
+  move.shift = position_in_row(root, translations, to) -
+               move.turn * position_in_row(root, translations, from);
   move.shift[up] = 0;
   if (!move.shift.allFinite()) move.shift.setZero();
   return move;
@@ -64,7 +65,7 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
 /// Moves a root in all frames; angles go on from those of a frame before the first.
 void move_root(const Joint& root, const GroundMove& move, std::span<const double> before,
                AngleUnit unit, Clip& clip) {
-  const auto slides = slides_of(root);
+  const auto translations = translation_columns(root);
   const auto rotations = rotations_of(root);
   const auto free = free_column(root);
   const bool is_turned = move.turn.vec().norm() > 0;
@@ -72,8 +73,9 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   std::vector<double> near(before.begin(), before.end());
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = clip.row(f);
-    const Vec3 place = position_in_row(root, slides, row);
-    if (!slides.empty()) fit_position(root, slides, move.turn * place + move.shift, row);
+    const Vec3 place = position_in_row(root, translations, row);
+    if (!translations.empty())
+      fit_position(root, translations, move.turn * place + move.shift, row);
     if (!is_turned) continue;
     if (free) {
       set_free_rotation(row, *free, turn * free_rotation(row, *free));
@@ -94,7 +96,7 @@ Motion moved_to(const Motion& motion, std::size_t frame, const Motion& other,
   const Skeleton& skeleton = motion.skeleton;
   const auto roots = roots_of(skeleton);
   const auto lead = std::find_if(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
-    return !slides_of(skeleton.joints[root]).empty();
+    return !translation_columns(skeleton.joints[root]).empty();
   });
   if (lead == roots.end()) return result;
   const bool is_turned = std::all_of(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
@@ -149,4 +151,4 @@ void Blender::blend(std::span<const double> to, double weight, std::span<double>
   }
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

@@ -7,7 +7,7 @@
 
 #include "kinefile/motion.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 
 /// Moves and turns a motion on the ground so that its first root that moves is, in `frame`, over
 /// the same point and heads the same way as in `other_frame` of another motion. It is turned only
@@ -36,4 +36,4 @@ class Blender {
   std::vector<Turn> turns_;
 };
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

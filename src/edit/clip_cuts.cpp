@@ -5,9 +5,9 @@
 
 #include "kinefile/edit.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 
-Result<Motion> trimmed(const Motion& motion, std::size_t begin, std::size_t end) {
+Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end) {
   const Clip& clip = motion.clip;
   if (begin > end || end > clip.num_frames) {
     return fail(make_error(
@@ -30,7 +30,7 @@ Result<Motion> trimmed(const Motion& motion, std::size_t begin, std::size_t end)
   return result;
 }
 
-Motion reversed(const Motion& motion) {
+Motion reverse(const Motion& motion) {
   Motion result = motion;
   Clip& clip = result.clip;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
@@ -44,4 +44,4 @@ Motion reversed(const Motion& motion) {
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 constexpr Eigen::Index kY = 1;
@@ -117,23 +117,23 @@ void hold_column(Clip& clip, std::size_t column) {
 }
 
 /// Brings a root that slides along oblique axes back over its first place in every frame.
-void hold_over_ground(const Joint& root, const std::vector<Slide>& slides, Eigen::Index up,
-                      Clip& clip) {
+void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& translations,
+                      Eigen::Index up, Clip& clip) {
   std::optional<Vec3> start;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    Vec3 place = position_in_row(root, slides, clip.row(f));
+    Vec3 place = position_in_row(root, translations, clip.row(f));
     if (!place.allFinite()) continue;
     if (!start) start = place;
     const double height = place[up];
     place = *start;
     place[up] = height;
-    fit_position(root, slides, place, clip.row(f));
+    fit_position(root, translations, place, clip.row(f));
   }
 }
 
 }  // namespace
 
-Motion scaled(const Motion& motion, double factor) {
+Motion scale(const Motion& motion, double factor) {
   Motion result = motion;
   for (Joint& joint : result.skeleton.joints) {
     joint.offset *= factor;
@@ -154,7 +154,7 @@ Motion scaled(const Motion& motion, double factor) {
   return result;
 }
 
-Motion with_up_axis(const Motion& motion, std::size_t axis, Diagnostics& diagnostics) {
+Motion up(const Motion& motion, std::size_t axis, Diagnostics& diagnostics) {
   if (guess_up_axis(motion) == axis) {
     diagnostics.add(Severity::Note, "EDT009",
                     axis == 2 ? "z points up already" : "y points up already");
@@ -173,20 +173,22 @@ Motion in_place(const Motion& motion) {
   const auto up = static_cast<Eigen::Index>(guess_up_axis(motion));
   for (const Joint& joint : motion.skeleton.joints) {
     if (joint.parent != kNoParent) continue;
-    const std::vector<Slide> slides = slides_of(joint);
-    const auto is_level = [up](const Slide& s) { return std::abs(s.axis[up]) < kStraight; };
-    const auto is_straight = [up, is_level](const Slide& s) {
+    const std::vector<TranslationColumn> translations = translation_columns(joint);
+    const auto is_level = [up](const TranslationColumn& s) {
+      return std::abs(s.axis[up]) < kStraight;
+    };
+    const auto is_straight = [up, is_level](const TranslationColumn& s) {
       return is_level(s) || std::abs(std::abs(s.axis[up]) - 1) < kStraight;
     };
-    if (!std::all_of(slides.begin(), slides.end(), is_straight)) {
-      hold_over_ground(joint, slides, up, result.clip);
+    if (!std::all_of(translations.begin(), translations.end(), is_straight)) {
+      hold_over_ground(joint, translations, up, result.clip);
       continue;
     }
-    for (const Slide& slide : slides) {
-      if (is_level(slide)) hold_column(result.clip, slide.column);
+    for (const TranslationColumn& translation : translations) {
+      if (is_level(translation)) hold_column(result.clip, translation.column);
     }
   }
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

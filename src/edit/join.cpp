@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "edit/blend.hpp"
-#include "edit/skeleton_facts.hpp"
 #include "edit/unwrap.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
-constexpr double kSame = 1e-6;      // of the skeleton's size, or of the frame rate
-constexpr double kSameAxis = 1e-9;  // between unit vectors
+constexpr double kSame = 1e-6;  // of the skeleton's size, or of the frame rate
 
 Error cannot_join(std::string why) {
   return make_error(ErrorKind::Usage, "EDT005", std::move(why));
@@ -25,7 +24,7 @@ Error cannot_join(std::string why) {
 std::string difference_of_dofs(const Joint& a, const Joint& b) {
   const auto is_same = [](const DegreeOfFreedom& x, const DegreeOfFreedom& y) {
     return x.kind == y.kind && x.coordinate == y.coordinate &&
-           (x.kind == DofKind::Free || (x.axis - y.axis).norm() <= kSameAxis);
+           (x.kind == DofKind::Free || (x.axis - y.axis).norm() <= kSameDirection);
   };
   const bool is_equal =
       std::equal(a.dofs.begin(), a.dofs.end(), b.dofs.begin(), b.dofs.end(), is_same);
@@ -39,7 +38,7 @@ std::string difference_of(const Joint& a, const Joint& b, double tolerance) {
   if (!((a.offset - b.offset).norm() <= tolerance)) {
     return fmt::format("joint '{}' has another offset", a.name);
   }
-  if (!(angle_between(a.rest_rotation, b.rest_rotation) <= kSameAxis)) {
+  if (!(angle_between(a.rest_rotation, b.rest_rotation) <= kSameDirection)) {
     return fmt::format("joint '{}' rests turned in another way", a.name);
   }
   const auto is_same = [tolerance](const Tip& x, const Tip& y) {
@@ -140,7 +139,7 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
 
 }  // namespace
 
-Result<Motion> appended(const Motion& first, const Motion& second, std::size_t num_blend_frames) {
+Result<Motion> append(const Motion& first, const Motion& second, std::size_t num_blend_frames) {
   if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
@@ -152,7 +151,7 @@ Result<Motion> appended(const Motion& first, const Motion& second, std::size_t n
   return result;
 }
 
-Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {
   const Clip& clip = motion.clip;
   if (count == 0) return fail(cannot_join("a motion cannot be played 0 times"));
   if (num_blend_frames > clip.num_frames) {
@@ -170,4 +169,4 @@ Result<Motion> looped(const Motion& motion, std::size_t count, std::size_t num_b
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

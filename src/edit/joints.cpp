@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 Error no_such_joint(const std::string& name) {
@@ -38,12 +38,12 @@ Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
 
 /// Where a joint sits in its parent's frame in all frames; nothing if it moves there.
 std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
-  const std::vector<Slide> slides = slides_of(joint);
-  if (slides.empty() || clip.num_frames == 0) return rest_offset(joint);
-  for (const Slide& slide : slides) {
-    if (!is_always(clip, slide.column, clip.row(0)[slide.column])) return std::nullopt;
+  const std::vector<TranslationColumn> translations = translation_columns(joint);
+  if (translations.empty() || clip.num_frames == 0) return rest_offset(joint);
+  for (const TranslationColumn& translation : translations) {
+    if (!is_always(clip, translation.column, clip.row(0)[translation.column])) return std::nullopt;
   }
-  const Vec3 place = position_in_row(joint, slides, clip.row(0));
+  const Vec3 place = position_in_row(joint, translations, clip.row(0));
   return place.allFinite() ? std::optional(place) : std::nullopt;
 }
 
@@ -102,8 +102,8 @@ bool has_joint(const Skeleton& skeleton, const std::string& name) {
 
 }  // namespace
 
-Result<Motion> with_joints(const Motion& motion, std::span<const std::string> names,
-                           Diagnostics& diagnostics) {
+Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
+                      Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
   const auto is_kept = select_with_ancestors(skeleton, names);
   if (!is_kept) return fail(is_kept.error());
@@ -137,8 +137,7 @@ Result<Motion> with_joints(const Motion& motion, std::span<const std::string> na
   return result;
 }
 
-Result<void> rename_joint(Document& document, const std::string& old_name,
-                          const std::string& new_name) {
+Result<void> rename(Document& document, const std::string& old_name, const std::string& new_name) {
   Motion* motion = std::get_if<Motion>(&document.content);
   Skeleton& skeleton = motion != nullptr ? motion->skeleton : std::get<Skeleton>(document.content);
   if (!has_joint(skeleton, old_name)) return fail(no_such_joint(old_name));
@@ -160,4 +159,4 @@ Result<void> rename_joint(Document& document, const std::string& old_name,
   return {};
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

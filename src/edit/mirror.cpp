@@ -11,15 +11,14 @@
 #include <utility>
 
 #include "edit/mirror_pairs.hpp"
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
-constexpr double kSameAxis = 1e-9;   // between unit vectors
 constexpr double kSamePlace = 1e-9;  // of the skeleton's size
 constexpr double kReached = 1e-6;    // what may be left, in radians or of the skeleton's size
 
@@ -41,7 +40,7 @@ struct JointPlan {
   bool is_position_found = false;
 };
 
-struct Context {
+struct MirrorContext {
   const Motion& motion;
   double size = 0;
   bool lenient = false;
@@ -68,8 +67,8 @@ Vec3 reflect(const Mat3& mirror, const Vec3& v) {
 
 /// +1 or -1 if two unit vectors are the same or opposite.
 std::optional<double> sign_between(const Vec3& a, const Vec3& b) {
-  if ((a - b).norm() <= kSameAxis) return 1;
-  if ((a + b).norm() <= kSameAxis) return -1;
+  if ((a - b).norm() <= kSameDirection) return 1;
+  if ((a + b).norm() <= kSameDirection) return -1;
   return std::nullopt;
 }
 
@@ -81,7 +80,7 @@ std::vector<DegreeOfFreedom> dofs_of_kind(const Joint& joint, DofKind kind) {
 }
 
 /// Fails, or warns where that is wanted.
-Result<void> complain(const Context& context, std::string message) {
+Result<void> complain(const MirrorContext& context, std::string message) {
   Error error = make_error(ErrorKind::Usage, "EDT004", std::move(message));
   if (!context.lenient) return fail(std::move(error));
   error.severity = Severity::Warning;
@@ -108,17 +107,17 @@ std::optional<std::vector<Copy>> copies_of_rotations(const JointPlan& plan, cons
 /// The copies that mirror the position, if offsets and axes are each other's mirror images.
 std::optional<std::vector<Copy>> copies_of_slides(const JointPlan& plan, const Joint& source,
                                                   const Joint& target, double size) {
-  const auto from = slides_of(source);
-  const auto to = slides_of(target);
+  const auto from = translation_columns(source);
+  const auto to = translation_columns(target);
   const Vec3 image = reflect(plan.parent, source.offset);
   if (from.size() != to.size() || !((image - target.offset).norm() <= kSamePlace * size)) {
     return std::nullopt;
   }
   std::vector<Copy> copies;
-  for (const Slide& slide : to) {
-    for (const Slide& other : from) {
-      const auto sign = sign_between(slide.axis, reflect(plan.parent, other.axis));
-      if (sign) copies.push_back({other.column, slide.column, *sign});
+  for (const TranslationColumn& translation : to) {
+    for (const TranslationColumn& other : from) {
+      const auto sign = sign_between(translation.axis, reflect(plan.parent, other.axis));
+      if (sign) copies.push_back({other.column, translation.column, *sign});
     }
   }
   return copies.size() == to.size() ? std::optional(copies) : std::nullopt;
@@ -136,8 +135,8 @@ void copy_tails(const JointPlan& plan, const Joint& source, const Joint& target,
   }
 }
 
-JointPlan plan_joint(const Context& context, std::size_t source_index, std::size_t target_index,
-                     const Mat3& mirror) {
+JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
+                     std::size_t target_index, const Mat3& mirror) {
   const Skeleton& skeleton = context.motion.skeleton;
   const Joint& source = skeleton.joints[source_index];
   const Joint& target = skeleton.joints[target_index];
@@ -169,7 +168,7 @@ JointPlan plan_joint(const Context& context, std::size_t source_index, std::size
 
 /// Whether two halves have so different ways to move that a motion of one is lost on the other.
 bool is_position_lost(const Joint& source, const Joint& target) {
-  return slides_of(source).size() > slides_of(target).size() ||
+  return translation_columns(source).size() > translation_columns(target).size() ||
          (free_column(source).has_value() != free_column(target).has_value()) ||
          dofs_of_kind(source, DofKind::TailTranslation).size() !=
              dofs_of_kind(target, DofKind::TailTranslation).size() ||
@@ -178,7 +177,7 @@ bool is_position_lost(const Joint& source, const Joint& target) {
 }
 
 /// The rotation that the degrees of freedom of a joint make.
-Mat3 rotation_of(const Joint& joint, std::span<const double> row, AngleUnit unit) {
+Mat3 rotation_of_joint(const Joint& joint, std::span<const double> row, AngleUnit unit) {
   if (const auto column = free_column(joint)) return free_rotation(row, *column).toRotationMatrix();
   return rotation_in_row(rotations_of(joint), row, unit);
 }
@@ -193,7 +192,7 @@ void mirror_free(const JointPlan& plan, std::size_t from, std::size_t to,
 }
 
 /// Finds the angles of a joint in all frames. \returns the largest angle that is left, in radians
-double find_rotations(const Context& context, const JointPlan& plan, Clip& clip) {
+double find_rotations(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
   const Skeleton& skeleton = context.motion.skeleton;
   const Joint& source = skeleton.joints[plan.source];
   const Joint& target = skeleton.joints[plan.target];
@@ -209,7 +208,7 @@ double find_rotations(const Context& context, const JointPlan& plan, Clip& clip)
       continue;
     }
     const Mat3 rotation =
-        plan.frame.transpose() * rotation_of(source, row, skeleton.angle_unit) * plan.frame;
+        plan.frame.transpose() * rotation_of_joint(source, row, skeleton.angle_unit) * plan.frame;
     std::vector<double> found = near;
     if (to) {
       set_free_rotation(found, *to, Quat(rotation));
@@ -227,11 +226,11 @@ double find_rotations(const Context& context, const JointPlan& plan, Clip& clip)
 }
 
 /// Finds the position of a joint in all frames. \returns the largest distance that is left
-double find_positions(const Context& context, const JointPlan& plan, Clip& clip) {
+double find_positions(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
-  const auto from = slides_of(source);
-  const auto to = slides_of(target);
+  const auto from = translation_columns(source);
+  const auto to = translation_columns(target);
   if (to.empty()) return 0;
   double left = 0;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
@@ -241,7 +240,7 @@ double find_positions(const Context& context, const JointPlan& plan, Clip& clip)
   return left;
 }
 
-Result<void> mirror_joint(const Context& context, const JointPlan& plan, Clip& clip) {
+Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
@@ -261,12 +260,13 @@ Result<void> mirror_joint(const Context& context, const JointPlan& plan, Clip& c
 
 }  // namespace
 
-Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
-                        Diagnostics& diagnostics) {
+Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
+                      Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
   Motion result = motion;
   if (skeleton.joints.empty()) return result;
-  const Context context{motion, rest_size(skeleton), lenient, diagnostics, rest_frames(skeleton)};
+  const MirrorContext context{motion, rest_size(skeleton), lenient, diagnostics,
+                              rest_frames(skeleton)};
   Vec3 signs = Vec3::Ones();
   signs[static_cast<Eigen::Index>(axis)] = -1;
   const Mat3 mirror = signs.asDiagonal();
@@ -297,4 +297,4 @@ Result<Motion> mirrored(const Motion& motion, std::size_t axis, bool lenient,
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

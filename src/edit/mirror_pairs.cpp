@@ -8,11 +8,11 @@
 #include <string_view>
 #include <utility>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 struct SidePair {
@@ -200,4 +200,4 @@ std::size_t guess_mirror_axis(const Skeleton& skeleton) {
   return axis;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

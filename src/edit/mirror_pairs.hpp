@@ -6,7 +6,7 @@
 
 #include "kinefile/skeleton.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 
 /// The other half of every joint by its name alone; shape (joints); kNoParent where there is none.
 /// Joints that have the other's name are paired in their order, if they lie equally deep.
@@ -22,4 +22,4 @@ std::vector<std::size_t> mirror_pairs(const Skeleton& skeleton, std::size_t axis
 bool lie_opposite(const Skeleton& skeleton, const std::vector<std::size_t>& pairs,
                   std::size_t axis);
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

@@ -7,11 +7,11 @@
 #include <functional>
 #include <utility>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 /// A Butterworth filter of second order, run in both directions.
@@ -152,7 +152,7 @@ void smooth_free(const Filter& filter, std::size_t column, Clip& clip) {
   }
 }
 
-/// How a column is smoothed where it is not part of a joint's rotation.
+/// How a column is smooth where it is not part of a joint's rotation.
 enum class As { Number, Angle, Done };
 
 std::vector<As> kinds_of_columns(const Skeleton& skeleton) {
@@ -198,7 +198,7 @@ std::optional<Error> find_not_finite(const Motion& motion) {
 
 }  // namespace
 
-Result<Motion> smoothed(const Motion& motion, double cutoff_hz) {
+Result<Motion> smooth(const Motion& motion, double cutoff_hz) {
   const double rate = frame_rate(motion.clip.timeline);
   if (!(cutoff_hz > 0 && cutoff_hz < rate / 2)) {
     return fail(make_error(ErrorKind::Usage, "EDT007",
@@ -223,4 +223,4 @@ Result<Motion> smoothed(const Motion& motion, double cutoff_hz) {
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "edit/skeleton_facts.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinematics/joint_columns.hpp"
 
-namespace kinefile {
+namespace kinefile::edit {
 namespace {
 
 /// An angle moved by whole turns to within half a turn of another; itself, bit for bit, if it is.
@@ -127,10 +127,10 @@ void unwrap_from(Motion& motion, std::size_t first_frame) {
   }
 }
 
-Motion unwrapped(const Motion& motion) {
+Motion unwrap(const Motion& motion) {
   Motion result = motion;
   unwrap_from(result, 0);
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::edit

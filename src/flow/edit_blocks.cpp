@@ -7,16 +7,12 @@
 
 #include "flow/blocks.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
 
-tl::unexpected<Error> refuse(std::string code, std::string message) {
-  return fail(make_error(ErrorKind::Usage, std::move(code), std::move(message)));
-}
-
 tl::unexpected<Error> no_such_block(const PoseFlow& flow, std::size_t block) {
-  return refuse("FLW007",
-                fmt::format("expected a block below {}, found {}", flow.blocks.size(), block));
+  return fail(ErrorKind::Usage, "FLW007",
+              fmt::format("expected a block below {}, found {}", flow.blocks.size(), block));
 }
 
 /// A flow of a format as a pose of another one: with as many words.
@@ -27,10 +23,10 @@ Result<Block> as_block_of(const PoseFlow& flow, const Block& source) {
   auto& pose = std::get<PoseBlock>(block.body);
   for (std::size_t s = flow.num_sliders; s < pose.words.size(); ++s) {
     if (!pose.words[s].is_enabled) continue;
-    return refuse("FLW006",
-                  fmt::format("expected poses of {} sliders to insert, found one that sets slider "
-                              "{}",
-                              flow.num_sliders, s));
+    return fail(ErrorKind::Usage, "FLW006",
+                fmt::format("expected poses of {} sliders to insert, found one that sets slider "
+                            "{}",
+                            flow.num_sliders, s));
   }
   pose.words.resize(flow.num_sliders);
   if (flow.format == FlowFormat::WordN) {
@@ -48,7 +44,7 @@ Result<Block> as_block_of(const PoseFlow& flow, const Block& source) {
 void move_down(PoseFlow& flow, int y, int distance) {
   if (flow.format == FlowFormat::WordN) return;
   for (Block& block : flow.blocks) {
-    if (block.y > y) block.y = flow::moved_by(block.y, distance);
+    if (block.y > y) block.y = moved_by(block.y, distance);
   }
 }
 
@@ -65,8 +61,6 @@ void take_pose(Block& block, const Block& source, const PoseBlock& way) {
 
 }  // namespace
 
-namespace flow {
-
 Result<std::vector<std::size_t>> straight_way(const PoseFlow& flow) {
   std::vector<std::size_t> poses;
   std::vector<bool> was_there(flow.blocks.size());
@@ -78,12 +72,13 @@ Result<std::vector<std::size_t>> straight_way(const PoseFlow& flow) {
                           std::holds_alternative<PoseBlock>(block.body);
     const bool has_break = flow.format == FlowFormat::WordN && block.branch != kNoBlock;
     if (was_there[number] || !is_plain || has_break) {
-      return refuse("FLW003", fmt::format("expected poses that go straight on, found that block {} "
-                                          "{}",
-                                          number,
-                                          was_there[number] ? "is come to again"
-                                          : has_break       ? "has a break"
-                                                            : "loops, branches or computes"));
+      return fail(ErrorKind::Usage, "FLW003",
+                  fmt::format("expected poses that go straight on, found that block {} "
+                              "{}",
+                              number,
+                              was_there[number] ? "is come to again"
+                              : has_break       ? "has a break"
+                                                : "loops, branches or computes"));
     }
     was_there[number] = true;
     if (std::holds_alternative<EndBlock>(block.body)) break;
@@ -93,10 +88,8 @@ Result<std::vector<std::size_t>> straight_way(const PoseFlow& flow) {
   return poses;
 }
 
-}  // namespace flow
-
-Result<PoseFlow> reversed_flow(const PoseFlow& flow) {
-  const auto way = flow::straight_way(flow);
+Result<PoseFlow> reverse(const PoseFlow& flow) {
+  const auto way = straight_way(flow);
   if (!way) return fail(way.error());
   PoseFlow reversed = flow;
   const std::size_t count = way->size();
@@ -110,24 +103,24 @@ Result<PoseFlow> reversed_flow(const PoseFlow& flow) {
   return reversed;
 }
 
-Result<PoseFlow> with_inserted(const PoseFlow& flow, std::size_t block, const PoseFlow& other) {
+Result<PoseFlow> insert(const PoseFlow& flow, std::size_t block, const PoseFlow& other) {
   if (block >= flow.blocks.size()) return no_such_block(flow, block);
   if (std::holds_alternative<EndBlock>(flow.blocks[block].body)) {
-    return refuse("FLW007", fmt::format("block {} is an end, and nothing follows an end", block));
+    return fail(ErrorKind::Usage, "FLW007",
+                fmt::format("block {} is an end, and nothing follows an end", block));
   }
-  const auto way = flow::straight_way(other);
+  const auto way = straight_way(other);
   if (!way) return fail(way.error());
   if (way->empty()) return flow;
   const std::size_t count = way->size();
   PoseFlow longer = flow;
   const Block& before = flow.blocks[block];
-  move_down(longer, before.y,
-            static_cast<int>(std::min<std::size_t>(count, 10'000)) * flow::kRowHeight);
+  move_down(longer, before.y, static_cast<int>(std::min<std::size_t>(count, 10'000)) * kRowHeight);
   std::vector<int> place_of(flow.blocks.size());
   for (std::size_t b = 0; b < place_of.size(); ++b) {
     place_of[b] = static_cast<int>(b > block ? b + count : b);
   }
-  flow::renumber(longer.blocks, place_of);
+  renumber(longer.blocks, place_of);
   std::vector<Block> inserted;
   int next = longer.blocks[block].normal;
   for (std::size_t i = count; i-- > 0;) {
@@ -139,7 +132,7 @@ Result<PoseFlow> with_inserted(const PoseFlow& flow, std::size_t block, const Po
     if (flow.format == FlowFormat::V1R4) {
       const int row = static_cast<int>(std::min<std::size_t>(i + 1, 10'000));
       made->x = before.x;
-      made->y = flow::moved_by(before.y, row * flow::kRowHeight);
+      made->y = moved_by(before.y, row * kRowHeight);
     }
     next = static_cast<int>(block + 1 + i);
     inserted.push_back(std::move(*made));
@@ -151,12 +144,12 @@ Result<PoseFlow> with_inserted(const PoseFlow& flow, std::size_t block, const Po
   return longer;
 }
 
-Result<PoseFlow> without_block(const PoseFlow& flow, std::size_t block) {
+Result<PoseFlow> erase(const PoseFlow& flow, std::size_t block) {
   if (block >= flow.blocks.size()) return no_such_block(flow, block);
   const Block& taken = flow.blocks[block];
   if (std::holds_alternative<StartBlock>(taken.body)) {
-    return refuse("FLW007",
-                  fmt::format("block {} is the start, without which nothing runs", block));
+    return fail(ErrorKind::Usage, "FLW007",
+                fmt::format("block {} is the start, without which nothing runs", block));
   }
   PoseFlow shorter = flow;
   shorter.blocks.erase(shorter.blocks.begin() + static_cast<std::ptrdiff_t>(block));
@@ -168,16 +161,17 @@ Result<PoseFlow> without_block(const PoseFlow& flow, std::size_t block) {
   place_of[block] = taken.normal == kNoBlock || leads_to_itself
                         ? kNoBlock
                         : place_of[static_cast<std::size_t>(taken.normal)];
-  flow::renumber(shorter.blocks, place_of);
+  renumber(shorter.blocks, place_of);
   if (flow.format == FlowFormat::V1R4) return shorter;
   for (std::size_t b = 0; b < shorter.blocks.size(); ++b) {
     const int self = static_cast<int>(b);
     if (shorter.blocks[b].normal != self && shorter.blocks[b].branch != self) continue;
-    return refuse("FLW007", fmt::format("without block {}, pose {} would lead to itself, which "
-                                        "WORD_N does not allow",
-                                        block, b));
+    return fail(ErrorKind::Usage, "FLW007",
+                fmt::format("without block {}, pose {} would lead to itself, which "
+                            "WORD_N does not allow",
+                            block, b));
   }
   return shorter;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

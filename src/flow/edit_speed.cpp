@@ -10,7 +10,7 @@
 #include "flow/blocks.hpp"
 #include "flow/machine.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
 
 using Words = std::vector<SliderWord>;
@@ -19,7 +19,7 @@ constexpr double kMostBlocks = 100'000;
 /// How far to the right the editor shows the parts of a pose.
 constexpr int kPartDistance = 90;
 
-tl::unexpected<Error> refuse(std::string message) {
+tl::unexpected<Error> refuse_speed(std::string message) {
   return fail(make_error(ErrorKind::Usage, "FLW004", std::move(message)));
 }
 
@@ -71,7 +71,7 @@ std::optional<Words> words_between(const Words& from, const Words& to, std::int6
                                    std::int64_t num_ticks) {
   Words words = to;
   for (std::size_t s = 0; s < to.size(); ++s) {
-    if (flow::jumps_by_default(s)) continue;
+    if (jumps_by_default(s)) continue;
     if (from[s].is_enabled != to[s].is_enabled) return std::nullopt;
     if (!to[s].is_enabled) continue;
     const std::int64_t way = std::int64_t{to[s].value} - from[s].value;
@@ -97,7 +97,7 @@ std::vector<Block> parted(const Block& block, std::size_t number, std::int64_t n
     if (i == count) continue;
     part.branch = kNoBlock;
     if (block.x > 0 || block.y > 0) {
-      part.x = flow::moved_by(block.x, static_cast<int>(count - i) * kPartDistance);
+      part.x = moved_by(block.x, static_cast<int>(count - i) * kPartDistance);
     }
     const auto words =
         before != nullptr ? words_between(*before, pose.words, end, num_ticks) : std::nullopt;
@@ -131,15 +131,15 @@ Result<void> check_length(const PoseFlow& flow, double factor) {
     num_blocks += pose == nullptr ? 1 : std::max(1.0, pose->ticks / factor / kMaxTicks);
   }
   if (num_blocks <= kMostBlocks) return {};
-  return refuse(
+  return refuse_speed(
       fmt::format("the flow would have {:.3g} blocks, more than {}", num_blocks, kMostBlocks));
 }
 
 }  // namespace
 
-Result<PoseFlow> with_flow_speed(const PoseFlow& flow, double factor, Diagnostics& diagnostics) {
+Result<PoseFlow> speed(const PoseFlow& flow, double factor, Diagnostics& diagnostics) {
   if (!(factor > 0) || !std::isfinite(factor)) {
-    return refuse(fmt::format("expected a factor above 0, found {}", factor));
+    return refuse_speed(fmt::format("expected a factor above 0, found {}", factor));
   }
   if (const auto checked = check_length(flow, factor); !checked) return fail(checked.error());
   const auto before = predecessors(flow);
@@ -161,11 +161,11 @@ Result<PoseFlow> with_flow_speed(const PoseFlow& flow, double factor, Diagnostic
     is_inner.insert(is_inner.end(), parts.size() - 1, true);
     is_inner.push_back(false);
   }
-  flow::renumber(made.blocks, place_of);
+  renumber(made.blocks, place_of);
   for (std::size_t b = 0; b < made.blocks.size(); ++b) {
     if (is_inner[b]) made.blocks[b].normal = static_cast<int>(b) + 1;
   }
   return made;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

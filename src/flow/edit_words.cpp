@@ -7,15 +7,11 @@
 
 #include "kinefile/flow.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
 
 constexpr int kLeastWord = std::numeric_limits<std::int16_t>::min();
 constexpr int kMostWord = std::numeric_limits<std::int16_t>::max();
-
-tl::unexpected<Error> refuse(std::string code, std::string message) {
-  return fail(make_error(ErrorKind::Usage, std::move(code), std::move(message)));
-}
 
 std::string num_sliders_text(const PoseFlow& flow) {
   return fmt::format("expected a slider below {}", flow.num_sliders);
@@ -27,14 +23,16 @@ Result<std::vector<const MirrorPair*>> pairs_by_slider(const PoseFlow& flow,
   std::vector<const MirrorPair*> pair_of(flow.num_sliders);
   for (const MirrorPair& pair : pairs) {
     if (pair.sign != 1 && pair.sign != -1) {
-      return refuse("FLW002", fmt::format("expected a sign of 1 or -1, found {}", pair.sign));
+      return fail(ErrorKind::Usage, "FLW002",
+                  fmt::format("expected a sign of 1 or -1, found {}", pair.sign));
     }
     for (const std::size_t slider : {pair.slider, pair.partner}) {
       if (slider >= flow.num_sliders) {
-        return refuse("FLW002", fmt::format("{}, found {}", num_sliders_text(flow), slider));
+        return fail(ErrorKind::Usage, "FLW002",
+                    fmt::format("{}, found {}", num_sliders_text(flow), slider));
       }
       if (pair_of[slider] != nullptr && pair_of[slider] != &pair) {
-        return refuse("FLW002", fmt::format("slider {} is in two pairs", slider));
+        return fail(ErrorKind::Usage, "FLW002", fmt::format("slider {} is in two pairs", slider));
       }
       pair_of[slider] = &pair;
     }
@@ -129,8 +127,8 @@ std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t
   return pairs;
 }
 
-Result<PoseFlow> mirrored_flow(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
-                               Diagnostics& diagnostics) {
+Result<PoseFlow> mirror(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
+                        Diagnostics& diagnostics) {
   const auto pair_of = pairs_by_slider(flow, pairs);
   if (!pair_of) return fail(pair_of.error());
   PoseFlow mirrored = flow;
@@ -148,9 +146,10 @@ Result<PoseFlow> mirrored_flow(const PoseFlow& flow, const std::vector<MirrorPai
   return mirrored;
 }
 
-Result<PoseFlow> with_slider_offset(const PoseFlow& flow, std::size_t slider, int offset) {
+Result<PoseFlow> offset(const PoseFlow& flow, std::size_t slider, int offset) {
   if (slider >= flow.num_sliders) {
-    return refuse("FLW005", fmt::format("{}, found {}", num_sliders_text(flow), slider));
+    return fail(ErrorKind::Usage, "FLW005",
+                fmt::format("{}, found {}", num_sliders_text(flow), slider));
   }
   PoseFlow moved = flow;
   for (std::size_t b = 0; b < moved.blocks.size(); ++b) {
@@ -158,29 +157,31 @@ Result<PoseFlow> with_slider_offset(const PoseFlow& flow, std::size_t slider, in
     if (pose == nullptr || !pose->words[slider].is_enabled) continue;
     const std::int64_t value = std::int64_t{pose->words[slider].value} + offset;
     if (value < kLeastWord || value > kMostWord) {
-      return refuse("FLW005",
-                    fmt::format("slider {} would be {} in block {}, and words go from {} to {}",
-                                slider, value, b, kLeastWord, kMostWord));
+      return fail(ErrorKind::Usage, "FLW005",
+                  fmt::format("slider {} would be {} in block {}, and words go from {} to {}",
+                              slider, value, b, kLeastWord, kMostWord));
     }
     pose->words[slider].value = static_cast<std::int16_t>(value);
   }
   return moved;
 }
 
-Result<PoseFlow> merged_flow(const PoseFlow& flow, const PoseFlow& other,
-                             const std::vector<std::size_t>& sliders) {
+Result<PoseFlow> merge(const PoseFlow& flow, const PoseFlow& other,
+                       const std::vector<std::size_t>& sliders) {
   PoseFlow merged = flow;
   PoseFlow source = other;
   const auto poses = poses_of(merged);
   const auto others = poses_of(source);
   if (poses.size() != others.size()) {
-    return refuse("FLW006", fmt::format("expected flows with as many poses, found {} and {}",
-                                        poses.size(), others.size()));
+    return fail(ErrorKind::Usage, "FLW006",
+                fmt::format("expected flows with as many poses, found {} and {}", poses.size(),
+                            others.size()));
   }
   for (const std::size_t slider : sliders) {
     if (slider >= flow.num_sliders || slider >= other.num_sliders) {
-      return refuse("FLW006", fmt::format("expected sliders of both flows, below {}, found {}",
-                                          std::min(flow.num_sliders, other.num_sliders), slider));
+      return fail(ErrorKind::Usage, "FLW006",
+                  fmt::format("expected sliders of both flows, below {}, found {}",
+                              std::min(flow.num_sliders, other.num_sliders), slider));
     }
     for (std::size_t p = 0; p < poses.size(); ++p) {
       poses[p]->words[slider] = others[p]->words[slider];
@@ -189,4 +190,4 @@ Result<PoseFlow> merged_flow(const PoseFlow& flow, const PoseFlow& other,
   return merged;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

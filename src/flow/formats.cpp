@@ -8,13 +8,11 @@
 
 #include "flow/blocks.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
 
-using flow::kFirstRow;
-using flow::kRowHeight;
-
-tl::unexpected<Error> refuse(const PoseFlow& flow, std::size_t block, std::string_view reason) {
+tl::unexpected<Error> refuse_block(const PoseFlow& flow, std::size_t block,
+                                   std::string_view reason) {
   Error error = make_error(ErrorKind::DataLoss, "FLW001",
                            fmt::format("WORD_N cannot say it: block {} {}", block, reason));
   error.place.line = flow.blocks[block].line;
@@ -59,8 +57,8 @@ PoseFlow as_v1r4(PoseFlow source, Diagnostics& diagnostics) {
   made.num_sliders = source.num_sliders;
   const auto add = [&made](BlockBody body, std::string name, int normal) -> Block& {
     const int row = static_cast<int>(made.blocks.size()) - 1;
-    const int y = row < 0 ? flow::kStartRow : flow::moved_by(row * kRowHeight, kFirstRow);
-    Block& block = made.blocks.emplace_back(flow::new_block(std::move(body), std::move(name), y));
+    const int y = row < 0 ? kStartRow : moved_by(row * kRowHeight, kFirstRow);
+    Block& block = made.blocks.emplace_back(new_block(std::move(body), std::move(name), y));
     block.normal = normal;
     return block;
   };
@@ -81,11 +79,11 @@ PoseFlow as_v1r4(PoseFlow source, Diagnostics& diagnostics) {
 std::optional<tl::unexpected<Error>> unsayable(const PoseFlow& flow) {
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) {
     const BlockBody& body = flow.blocks[b].body;
-    if (std::holds_alternative<ArithmeticBlock>(body)) return refuse(flow, b, "computes");
-    if (std::holds_alternative<BranchBlock>(body)) return refuse(flow, b, "branches");
+    if (std::holds_alternative<ArithmeticBlock>(body)) return refuse_block(flow, b, "computes");
+    if (std::holds_alternative<BranchBlock>(body)) return refuse_block(flow, b, "branches");
     const auto* pose = std::get_if<PoseBlock>(&body);
     if (pose != nullptr && pose->servo_off.any()) {
-      return refuse(flow, b, "switches servos off");
+      return refuse_block(flow, b, "switches servos off");
     }
   }
   return std::nullopt;
@@ -124,12 +122,13 @@ Result<PoseArrows> arrows_of(const PoseFlow& flow, std::size_t pose) {
   const PoseArrows arrows = {behind_start(flow, flow.blocks[loop].normal),
                              behind_start(flow, flow.blocks[loop].branch)};
   if (leads_to<LoopBlock>(flow, arrows.next) || leads_to<LoopBlock>(flow, arrows.leave)) {
-    return refuse(flow, loop, "is a loop that leads to a loop, with no pose between");
+    return refuse_block(flow, loop, "is a loop that leads to a loop, with no pose between");
   }
   if (!leads_to<PoseBlock>(flow, arrows.leave)) {
-    return refuse(flow, loop,
-                  "is a loop whose branch leads to the end, and a break leads to a pose; put one "
-                  "before the end");
+    return refuse_block(
+        flow, loop,
+        "is a loop whose branch leads to the end, and a break leads to a pose; put one "
+        "before the end");
   }
   return PoseArrows{leads_to<PoseBlock>(flow, arrows.next) ? arrows.next : kNoBlock, arrows.leave};
 }
@@ -155,8 +154,8 @@ Result<std::vector<std::size_t>> poses_in_order(const PoseFlow& flow) {
   const int start = first_block(flow);
   const int first = start == kNoBlock ? kNoBlock : behind_start(flow, start);
   if (!leads_to<PoseBlock>(flow, first)) {
-    return refuse(flow, static_cast<std::size_t>(std::max(start, 0)),
-                  "is not followed by a pose, and a flow begins with one");
+    return refuse_block(flow, static_cast<std::size_t>(std::max(start, 0)),
+                        "is not followed by a pose, and a flow begins with one");
   }
   std::vector<std::size_t> poses = {static_cast<std::size_t>(first)};
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) {
@@ -203,7 +202,7 @@ Result<PoseFlow> as_word_n(const PoseFlow& source, Diagnostics& diagnostics) {
     block.normal = arrows->next;
     block.branch = arrows->leave;
   }
-  flow::renumber(made.blocks, place_of);
+  renumber(made.blocks, place_of);
   for (std::size_t p = 0; p < poses->size(); ++p) part_from_itself(made, p, diagnostics);
   Diagnostics ignored;
   if (as_v1r4(made, ignored) != source) {
@@ -215,10 +214,10 @@ Result<PoseFlow> as_word_n(const PoseFlow& source, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Result<PoseFlow> in_flow_format(const PoseFlow& flow, FlowFormat format, Diagnostics& diagnostics) {
+Result<PoseFlow> in_format(const PoseFlow& flow, FlowFormat format, Diagnostics& diagnostics) {
   if (flow.format == format) return flow;
   if (format == FlowFormat::V1R4) return as_v1r4(flow, diagnostics);
   return as_word_n(flow, diagnostics);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

@@ -5,13 +5,12 @@
 
 #include "kinefile/flow.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
 
 /// Points for a pixel of the editor, so that its 54 pixels from block to block hold our labels.
 constexpr double kPointsPerPixel = 1.5;
 /// From pose to pose where a format has no places.
-constexpr int kRowHeight = 54;
 
 /// By block: whether a way leads to it.
 std::vector<bool> reachable_blocks(const PoseFlow& flow) {
@@ -108,7 +107,7 @@ std::string_view branch_name(const Block& block) {
 }
 
 /// The arrows that can be taken.
-std::string arrows_of(const PoseFlow& flow, std::size_t number) {
+std::string drawn_arrows(const PoseFlow& flow, std::size_t number) {
   const Block& block = flow.blocks[number];
   std::string text;
   if (std::holds_alternative<EndBlock>(block.body)) return text;
@@ -125,7 +124,7 @@ std::string arrows_of(const PoseFlow& flow, std::size_t number) {
 
 }  // namespace
 
-std::string flow_graph(const PoseFlow& flow) {
+std::string graph(const PoseFlow& flow) {
   std::string text =
       "digraph flow {\n"
       "  graph [splines=true];\n"
@@ -133,8 +132,8 @@ std::string flow_graph(const PoseFlow& flow) {
       "  edge [fontname=\"sans-serif\", fontsize=9];\n";
   const std::vector<bool> is_reached = reachable_blocks(flow);
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) text += node_of(flow, b, is_reached[b]);
-  for (std::size_t b = 0; b < flow.blocks.size(); ++b) text += arrows_of(flow, b);
+  for (std::size_t b = 0; b < flow.blocks.size(); ++b) text += drawn_arrows(flow, b);
   return text + "}\n";
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

@@ -110,7 +110,7 @@ Machine start(const PoseFlow& flow, const RunOptions& options, Diagnostics& diag
 void take_inputs(Machine& machine) {
   const auto& inputs = machine.options.inputs;
   for (; machine.next_input < inputs.size(); ++machine.next_input) {
-    const FlowInput& input = inputs[machine.next_input];
+    const Input& input = inputs[machine.next_input];
     if (input.tick > machine.tick) return;
     if (input.is_held) machine.is_held = input.is_held;
     set_variables(machine, input.variables);

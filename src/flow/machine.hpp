@@ -35,7 +35,7 @@ struct Machine {
   std::bitset<kNumServos> servo_off = {};
   std::vector<bool> has_warned = {};             ///< by block
   std::vector<std::int16_t> from = {}, to = {};  ///< room for the sliders of a pose
-  FlowRun run = {};
+  Run run = {};
 };
 
 /// A robot that stands in its base pose at tick 0.

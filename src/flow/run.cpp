@@ -5,10 +5,8 @@
 
 #include "flow/machine.hpp"
 
-namespace kinefile {
+namespace kinefile::flow {
 namespace {
-
-using flow::Machine;
 
 /// Notices blocks that go round without a pose, by meeting a state again (Brent's method: the
 /// state that is remembered is renewed after 1, 2, 4, ... steps) or by their number.
@@ -41,7 +39,7 @@ class StandstillGuard {
   std::size_t num_in_all_ = 0;
   std::size_t renewal_ = 1;
   std::size_t block_ = 0;
-  flow::Variables variables_ = {};
+  Variables variables_ = {};
   std::vector<std::uint64_t> visits_;
 };
 
@@ -50,16 +48,16 @@ bool is_pose(const Machine& machine, std::size_t block) {
 }
 
 /// Runs a block that takes no time, and notes in its step which way it goes.
-Result<void> run_at_once(Machine& machine, FlowStep& step) {
+Result<void> run_at_once(Machine& machine, Step& step) {
   const BlockBody& body = machine.flow.blocks[step.block].body;
   if (std::holds_alternative<LoopBlock>(body)) {
-    step.takes_branch = !flow::goes_on(machine, step.block);
+    step.takes_branch = !goes_on(machine, step.block);
   } else if (const auto* branch = std::get_if<BranchBlock>(&body)) {
     step.value = machine.variables[static_cast<std::size_t>(branch->variable)];
-    const bool is_true = flow::holds(*branch, step.value);
+    const bool is_true = holds(*branch, step.value);
     step.takes_branch = is_true == machine.options.true_takes_branch;
   } else if (const auto* sum = std::get_if<ArithmeticBlock>(&body)) {
-    auto computed = flow::compute(machine, step.block);
+    auto computed = compute(machine, step.block);
     if (!computed) return computed;
     step.value = machine.variables[static_cast<std::size_t>(sum->variable)];
   }
@@ -67,48 +65,48 @@ Result<void> run_at_once(Machine& machine, FlowStep& step) {
 }
 
 /// Runs a pose. Of WORD_N, one with a break asks when it is finished whether to go on.
-bool run_timed(Machine& machine, FlowStep& step) {
-  if (!flow::run_pose(machine, step.block)) return false;
+bool run_timed(Machine& machine, Step& step) {
+  if (!run_pose(machine, step.block)) return false;
   if (machine.flow.format == FlowFormat::WordN &&
       machine.flow.blocks[step.block].branch != kNoBlock) {
-    step.takes_branch = !flow::goes_on(machine, step.block);
+    step.takes_branch = !goes_on(machine, step.block);
   }
   return true;
 }
 
 /// How a flow ends at a block that leads nowhere. Of WORD_N that is its way to end.
-FlowEnd end_at(Machine& machine, const FlowStep& step) {
-  if (machine.flow.format == FlowFormat::WordN) return FlowEnd::EndBlock;
-  flow::warn(machine, Severity::Note, "RUN005", step.block,
-             fmt::format("the flow stops at block {}, whose {} arrow leads nowhere", step.block,
-                         step.takes_branch ? "branch" : "normal"));
-  return FlowEnd::NoArrow;
+End end_at(Machine& machine, const Step& step) {
+  if (machine.flow.format == FlowFormat::WordN) return End::EndBlock;
+  warn(machine, Severity::Note, "RUN005", step.block,
+       fmt::format("the flow stops at block {}, whose {} arrow leads nowhere", step.block,
+                   step.takes_branch ? "branch" : "normal"));
+  return End::NoArrow;
 }
 
-FlowEnd end_of_time(Machine& machine, const FlowStep& step) {
-  flow::warn(machine, Severity::Warning, "RUN006", step.block,
-             fmt::format("the flow is cut off in block {} after {} ticks, the limit", step.block,
-                         machine.tick));
-  return FlowEnd::MaxTicks;
+End end_of_time(Machine& machine, const Step& step) {
+  warn(machine, Severity::Warning, "RUN006", step.block,
+       fmt::format("the flow is cut off in block {} after {} ticks, the limit", step.block,
+                   machine.tick));
+  return End::MaxTicks;
 }
 
 /// Runs from a block on until the flow ends.
-Result<FlowEnd> run_from(Machine& machine, int first) {
+Result<End> run_from(Machine& machine, int first) {
   StandstillGuard guard(machine);
   auto number = static_cast<std::size_t>(first);
   while (true) {
     const Block& block = machine.flow.blocks[number];
-    FlowStep& step = machine.run.path.emplace_back(FlowStep{machine.tick, number});
-    if (std::holds_alternative<EndBlock>(block.body)) return FlowEnd::EndBlock;
+    Step& step = machine.run.path.emplace_back(Step{machine.tick, number});
+    if (std::holds_alternative<EndBlock>(block.body)) return End::EndBlock;
     if (is_pose(machine, number)) {
       if (!run_timed(machine, step)) return end_of_time(machine, step);
       guard.reset();
     } else if (guard.is_stuck(machine, number)) {
-      return fail(flow::block_error(
-          machine.flow, number, "RUN003",
-          fmt::format("the flow goes round without a pose at block {}, tick {}, or "
-                      "through more than 100000 blocks at once",
-                      number, machine.tick)));
+      return fail(
+          block_error(machine.flow, number, "RUN003",
+                      fmt::format("the flow goes round without a pose at block {}, tick {}, or "
+                                  "through more than 100000 blocks at once",
+                                  number, machine.tick)));
     } else if (auto done = run_at_once(machine, step); !done) {
       return fail(std::move(done.error()));
     }
@@ -127,8 +125,7 @@ RunOptions run_options_of(const RobotProject& project) {
   return options;
 }
 
-Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options,
-                         Diagnostics& diagnostics) {
+Result<Run> run(const PoseFlow& flow, const RunOptions& options, Diagnostics& diagnostics) {
   const int first = first_block(flow);
   if (first == kNoBlock) {
     return fail(make_error(ErrorKind::InvalidInput, "RUN004",
@@ -136,7 +133,7 @@ Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options,
                                ? "expected a pose to begin with, found none"
                                : "expected a start block, found none"));
   }
-  Machine machine = flow::start(flow, options, diagnostics);
+  Machine machine = start(flow, options, diagnostics);
   const auto end = run_from(machine, first);
   if (!end) return fail(end.error());
   machine.run.end = *end;
@@ -145,4 +142,4 @@ Result<FlowRun> run_flow(const PoseFlow& flow, const RunOptions& options,
   return std::move(machine.run);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::flow

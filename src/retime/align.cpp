@@ -10,11 +10,8 @@
 #include "retime/frame_distance.hpp"
 #include "retime/frames.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
-
-using retiming::FramePair;
-using retiming::Knot;
 
 /// The joints that two skeletons share: the first of one is the first of the other.
 struct SharedJoints {
@@ -81,17 +78,16 @@ double length_scale(const Motion& motion, const Motion& other) {
 std::vector<FramePair> align_frames(const Motion& reference, const Motion& motion,
                                     const SharedJoints& shared, AlignOptions::By by) {
   const auto align = [&](const auto& rows, const auto& columns) {
-    return retiming::align_sequences(reference.clip.num_frames, motion.clip.num_frames,
-                                     [&](std::size_t row, std::size_t column) {
-                                       return retiming::distance(rows, row, columns, column);
-                                     });
+    return align_sequences(
+        reference.clip.num_frames, motion.clip.num_frames,
+        [&](std::size_t row, std::size_t column) { return distance(rows, row, columns, column); });
   };
   if (by == AlignOptions::By::Angles) {
-    return align(retiming::angles_of_frames(reference, shared.first),
-                 retiming::angles_of_frames(motion, shared.second));
+    return align(angles_of_frames(reference, shared.first),
+                 angles_of_frames(motion, shared.second));
   }
-  return align(retiming::points_of_frames(reference, shared.first, length_scale(reference, motion)),
-               retiming::points_of_frames(motion, shared.second, length_scale(motion, reference)));
+  return align(points_of_frames(reference, shared.first, length_scale(reference, motion)),
+               points_of_frames(motion, shared.second, length_scale(motion, reference)));
 }
 
 double number(std::size_t count) { return static_cast<double>(count); }
@@ -107,7 +103,7 @@ std::vector<double> departures(const std::vector<FramePair>& way,
   std::vector<double> counts(reference_frames.size(), 0.0);
   for (const FramePair pair : way) {
     sums[pair.row] += number(motion_frames[pair.column]) -
-                      retiming::straight_at(start, end, number(reference_frames[pair.row]));
+                      straight_at(start, end, number(reference_frames[pair.row]));
     ++counts[pair.row];
   }
   for (std::size_t r = 0; r < sums.size(); ++r) sums[r] /= counts[r];
@@ -135,7 +131,7 @@ std::vector<Knot> rising_knots(const std::vector<double>& departures,
   for (std::size_t k = 0; k <= num_pieces; ++k) {
     const std::size_t at = k * last / num_pieces;
     const double x = number(reference_frames[at]);
-    const double straight = retiming::straight_at(start, end, x);
+    const double straight = straight_at(start, end, x);
     double y = straight + smoothed(departures, at, kSpacing / 2);
     y = std::clamp(y, knots.empty() ? 0 : knots.back().y, last_motion_frame);
     knots.push_back({x, y});
@@ -145,28 +141,28 @@ std::vector<Knot> rising_knots(const std::vector<double>& departures,
   // A little of the straight map makes the curve rise where the motions stand still, too.
   constexpr double kShare = 1e-6;
   for (Knot& knot : knots) {
-    knot.y += kShare * (retiming::straight_at(start, end, knot.x) - knot.y);
+    knot.y += kShare * (straight_at(start, end, knot.x) - knot.y);
   }
   return knots;
 }
 
 /// The smooth curve through knots at every frame of the reference.
 std::vector<double> frames_through(const std::vector<Knot>& knots, std::size_t num_frames) {
-  const std::vector<double> slopes = retiming::pchip_slopes(knots);
+  const std::vector<double> slopes = pchip_slopes(knots);
   std::vector<double> old_frames;
   old_frames.reserve(num_frames);
   std::size_t k = 0;
   for (std::size_t frame = 0; frame + 1 < num_frames; ++frame) {
     const double x = number(frame);
     while (x >= knots[k + 1].x) ++k;
-    const double y = retiming::cubic_at(knots[k], slopes[k], knots[k + 1], slopes[k + 1], x);
-    old_frames.push_back(retiming::on_whole_frame(std::clamp(y, knots[k].y, knots[k + 1].y)));
+    const double y = cubic_at(knots[k], slopes[k], knots[k + 1], slopes[k + 1], x);
+    old_frames.push_back(on_whole_frame(std::clamp(y, knots[k].y, knots[k + 1].y)));
   }
   old_frames.push_back(knots.back().y);
   return old_frames;
 }
 
-tl::unexpected<Error> refuse(std::string message) {
+tl::unexpected<Error> refuse_alignment(std::string message) {
   return fail(make_error(ErrorKind::Usage, "RTM004", std::move(message)));
 }
 
@@ -176,10 +172,10 @@ Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
                           const AlignOptions& options) {
   const SharedJoints shared = joints_in_both(reference.skeleton, motion.skeleton);
   if (shared.first.empty()) {
-    return refuse("expected joints of the same names in both motions, found none");
+    return refuse_alignment("expected joints of the same names in both motions, found none");
   }
   if (motion.clip.num_frames == 0 || reference.clip.num_frames == 0) {
-    return refuse("expected motions with frames, found one without");
+    return refuse_alignment("expected motions with frames, found one without");
   }
   TimeMap map;
   map.timeline = reference.clip.timeline;
@@ -198,4 +194,4 @@ Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
   return map;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

@@ -8,7 +8,7 @@
 #include "kinefile/retime.hpp"
 #include "retime/feet.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
 
 constexpr double kMostSpeed = 0.2;     // metres a second
@@ -86,13 +86,13 @@ void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eig
 }  // namespace
 
 Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics) {
-  const auto points = retiming::find_foot_points(motion.skeleton);
+  const auto points = find_foot_points(motion.skeleton);
   if (points.empty()) {
     return fail(make_error(ErrorKind::Usage, "RTM003",
                            "expected a joint whose name says that it is a foot (foot, toe, ankle, "
                            "ball), found none"));
   }
-  const retiming::FootTracks tracks = retiming::track_feet(motion, points);
+  const FootTracks tracks = track_feet(motion, points);
   const std::size_t up = guess_up_axis(motion);
   const double metres = metres_per_unit(motion.skeleton, up, diagnostics);
   std::vector<double> weights(motion.clip.num_frames, 0.0);
@@ -102,4 +102,4 @@ Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& d
   return weights;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 /// The widths and the slopes of the straight lines from knot to knot.
@@ -91,4 +91,4 @@ double cubic_at(const Knot& from, double from_slope, const Knot& to, double to_s
   return from.y + rise + h * t * s * (s * from_slope - t * to_slope);
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

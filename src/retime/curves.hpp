@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// A point that a curve goes through.
 struct Knot {
@@ -30,4 +30,4 @@ double straight_at(const Knot& from, const Knot& to, double x);
 /// The cubic between two knots with slopes at them.
 double cubic_at(const Knot& from, double from_slope, const Knot& to, double to_slope, double x);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

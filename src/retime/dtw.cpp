@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
@@ -140,4 +140,4 @@ std::vector<FramePair> align_sequences(
   return table.way_to({num_rows - 1, num_columns - 1});
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

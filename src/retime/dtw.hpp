@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// A pair of frames that belong together.
 struct FramePair {
@@ -25,4 +25,4 @@ struct FramePair {
 std::vector<FramePair> align_sequences(std::size_t num_rows, std::size_t num_columns,
                                        const std::function<double(std::size_t, std::size_t)>& cost);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

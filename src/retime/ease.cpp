@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
 
 /// One coordinate of a cubic Bezier curve from 0 to 1.
@@ -92,7 +92,7 @@ std::optional<Ease> parse_ease(std::string_view text) {
   } else {
     return std::nullopt;
   }
-  return retiming::is_valid(ease) ? std::optional(ease) : std::nullopt;
+  return is_valid(ease) ? std::optional(ease) : std::nullopt;
 }
 
 double ease_at(const Ease& ease, double u) {
@@ -117,8 +117,6 @@ double ease_at(const Ease& ease, double u) {
   return u;
 }
 
-namespace retiming {
-
 bool is_valid(const Ease& ease) {
   if (has_power(ease.kind)) return ease.power > 0 && std::isfinite(ease.power);
   if (ease.kind != Ease::Kind::Bezier) return true;
@@ -139,5 +137,4 @@ bool goes_back(const Ease& ease) {
   return first < 0 || last < 0 || middle < -std::sqrt(first * last);
 }
 
-}  // namespace retiming
-}  // namespace kinefile
+}  // namespace kinefile::retime

@@ -3,7 +3,7 @@
 
 #include "kinefile/retime.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Whether the numbers of an ease make sense: a positive power, a Bezier curve that is a function.
 bool is_valid(const Ease& ease);
@@ -11,4 +11,4 @@ bool is_valid(const Ease& ease);
 /// Whether an ease runs backwards somewhere, as Bezier curves with overshoot do.
 bool goes_back(const Ease& ease);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

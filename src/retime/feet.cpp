@@ -8,7 +8,7 @@
 #include "base/words.hpp"
 #include "kinefile/kinematics.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 bool is_called_foot(const std::string& name) {
@@ -64,4 +64,4 @@ FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points
   return tracks;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

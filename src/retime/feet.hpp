@@ -6,7 +6,7 @@
 
 #include "kinefile/motion.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// A point that touches the ground when a foot does: a joint, or one of its tips.
 struct FootPoint {
@@ -28,4 +28,4 @@ struct FootTracks {
 /// Follows foot points through a clip.
 FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -7,7 +7,7 @@
 
 #include "kinefile/kinematics.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 /// Copies the numbers of some joints from rows that hold all.
@@ -115,4 +115,4 @@ double distance(const FramePoints& a, std::size_t frame_a, const FramePoints& b,
   return std::max(ground, 0.0) + heights;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

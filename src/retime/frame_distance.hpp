@@ -6,7 +6,7 @@
 
 #include "kinefile/motion.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// How the joints of some frames are turned; what frames are compared by.
 struct FrameAngles {
@@ -39,4 +39,4 @@ double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,
 double distance(const FramePoints& a, std::size_t frame_a, const FramePoints& b,
                 std::size_t frame_b);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

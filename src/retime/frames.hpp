@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// No map has more frames.
 inline constexpr double kMostFrames = 134217728.0;  // 2^27
@@ -24,4 +24,4 @@ inline double on_whole_frame(double frame) {
   return std::abs(frame - whole) <= 1e-12 * std::max(1.0, whole) ? whole : frame;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

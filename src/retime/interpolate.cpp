@@ -10,7 +10,7 @@
 #include "retime/interpolate_rotations.hpp"
 #include "retime/interpolate_steps.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
 
 constexpr std::size_t kMostValues = std::size_t{1} << 30;  // 8 GiB
@@ -32,8 +32,8 @@ Clip empty_clip(const Clip& old_clip, const TimeMap& map) {
 
 }  // namespace
 
-Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
-                      Diagnostics& diagnostics) {
+Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
+                     Diagnostics& diagnostics) {
   const Clip& old_clip = motion.clip;
   assert(old_clip.num_coordinates == motion.skeleton.coordinates.size());
   assert(old_clip.num_frames > 0 || map.old_frames.empty());
@@ -45,19 +45,19 @@ Result<Motion> retime(const Motion& motion, const TimeMap& map, const RetimeOpti
   }
   Motion result{motion.skeleton, empty_clip(old_clip, map)};
   if (result.clip.num_frames == 0) return result;
-  const auto steps = retiming::steps_of(map.old_frames, old_clip.num_frames, options.antialias);
-  const auto plan = retiming::plan_interpolation(motion.skeleton, options.rotation, diagnostics);
-  retiming::interpolate_rows(old_clip, steps, result.clip);
+  const auto steps = steps_of(map.old_frames, old_clip.num_frames, options.antialias);
+  const auto plan = plan_interpolation(motion.skeleton, options.rotation, diagnostics);
+  interpolate_rows(old_clip, steps, result.clip);
   if (options.rotation == RotationInterpolation::Cubic) {
-    retiming::curve_columns(old_clip, steps, plan.number_columns, result.clip);
+    curve_columns(old_clip, steps, plan.number_columns, result.clip);
   }
   if (options.antialias) {
-    retiming::average_columns(old_clip, steps, plan.number_columns, result.clip);
+    average_columns(old_clip, steps, plan.number_columns, result.clip);
   }
-  retiming::interpolate_rotations(old_clip, steps, plan, options.rotation, result.clip);
-  const auto marked = retiming::mark_gaps(motion, steps, plan, options, result.clip, diagnostics);
+  interpolate_rotations(old_clip, steps, plan, options.rotation, result.clip);
+  const auto marked = mark_gaps(motion, steps, plan, options, result.clip, diagnostics);
   if (!marked) return fail(marked.error());
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 /// Columns that are interpolated together.
@@ -126,4 +126,4 @@ Result<void> mark_gaps(const Motion& motion, const std::vector<Step>& steps,
   return {};
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

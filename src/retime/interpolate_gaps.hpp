@@ -4,7 +4,7 @@
 #include "retime/interpolate_plan.hpp"
 #include "retime/interpolate_steps.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Finds the numbers of new frames that would have to be made of numbers that are not finite, and
 /// makes them NaN: a number where one that it is made of is such, all angles of a rotation where
@@ -14,4 +14,4 @@ Result<void> mark_gaps(const Motion& motion, const std::vector<Step>& steps,
                        const InterpolationPlan& plan, const RetimeOptions& options, Clip& new_clip,
                        Diagnostics& diagnostics);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

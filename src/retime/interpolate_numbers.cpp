@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 void interpolate_rows(const Clip& old_clip, const std::vector<Step>& steps, Clip& new_clip) {
   for (const Step& step : steps) {
@@ -59,4 +59,4 @@ void average_columns(const Clip& old_clip, const std::vector<Step>& steps,
   }
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -4,7 +4,7 @@
 #include "retime/interpolate_plan.hpp"
 #include "retime/interpolate_steps.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Fills every column of the new rows: copies where a step is whole, else numbers between the two
 /// old rows; what is part of a rotation lies near the angles that are looked for then.
@@ -18,4 +18,4 @@ void curve_columns(const Clip& old_clip, const std::vector<Step>& steps,
 void average_columns(const Clip& old_clip, const std::vector<Step>& steps,
                      const std::vector<std::size_t>& columns, Clip& new_clip);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

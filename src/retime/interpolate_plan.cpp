@@ -9,7 +9,7 @@
 
 #include "kinefile/joint_rotation.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics& diagnostics) {
@@ -96,4 +96,4 @@ InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpola
   return plan;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -8,7 +8,7 @@
 #include "kinefile/retime.hpp"
 #include "simd/slerp.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// A joint whose three angles are interpolated as the rotation that they make.
 struct TurningJoint {
@@ -36,4 +36,4 @@ InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpola
 /// The axes of a joint, as far as the kernel must know them.
 simd::EulerForm euler_form(const EulerAxes& axes, AngleUnit unit);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <span>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 constexpr std::size_t kStepsPerBatch = 256;
@@ -188,4 +188,4 @@ void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
   }
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -4,7 +4,7 @@
 #include "retime/interpolate_plan.hpp"
 #include "retime/interpolate_steps.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Fills the columns of rotations in the new rows where a step is no copy.
 /// \param new_clip  in: angles that the new ones are to be near; out: the new ones
@@ -12,4 +12,4 @@ void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
                            const InterpolationPlan& plan, RotationInterpolation rotation,
                            Clip& new_clip);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

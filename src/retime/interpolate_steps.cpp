@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 /// Moves a value of a map into the motion; what is not a number goes to the start.
@@ -68,4 +68,4 @@ std::vector<Tap> taps_of(const Step& step, std::size_t num_old_frames) {
   return taps;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -6,7 +6,7 @@
 
 #include "kinefile/retime.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Where a new frame lies among the old ones.
 struct Step {
@@ -43,4 +43,4 @@ Around around(const Step& step, std::size_t num_old_frames);
 /// What an average is made of; the weights sum up to 1. A Gaussian curve, cut at three sigma.
 std::vector<Tap> taps_of(const Step& step, std::size_t num_old_frames);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

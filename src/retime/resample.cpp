@@ -7,20 +7,19 @@
 #include "kinefile/retime.hpp"
 #include "retime/frames.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
 
-tl::unexpected<Error> refuse(std::string message) {
+tl::unexpected<Error> refuse_rate(std::string message) {
   return fail(make_error(ErrorKind::Usage, "RTM002", std::move(message)));
 }
 
 /// How many new frames there are: one for every whole one up to the end, and the end.
 /// \param end  where the old motion ends, in new frames
 Result<std::size_t> count_frames(double end) {
-  const double last = std::ceil(retiming::without_rounding(end));
-  if (!(last < retiming::kMostFrames)) {
-    return refuse(
-        fmt::format("expected at most {} new frames, found {}", retiming::kMostFrames, end));
+  const double last = std::ceil(without_rounding(end));
+  if (!(last < kMostFrames)) {
+    return refuse_rate(fmt::format("expected at most {} new frames, found {}", kMostFrames, end));
   }
   return static_cast<std::size_t>(last) + 1;
 }
@@ -35,8 +34,7 @@ Result<TimeMap> map_by_ratio(std::size_t num_old_frames, double numerator, doubl
   map.old_frames.reserve(*count);
   for (std::size_t n = 0; n + 1 < *count; ++n) {
     // Multiplying first keeps whole frames whole.
-    const double old_frame =
-        retiming::on_whole_frame(static_cast<double>(n) * numerator / denominator);
+    const double old_frame = on_whole_frame(static_cast<double>(n) * numerator / denominator);
     map.old_frames.push_back(std::min(old_frame, last_frame));
   }
   map.old_frames.push_back(last_frame);
@@ -58,7 +56,7 @@ Result<TimeMap> map_by_times(const std::vector<double>& times, double step) {
   const auto is_bad = [](double time) { return !std::isfinite(time); };
   if (std::any_of(times.begin(), times.end(), is_bad) ||
       !std::is_sorted(times.begin(), times.end())) {
-    return refuse("expected frames whose times rise, found others");
+    return refuse_rate("expected frames whose times rise, found others");
   }
   const auto count = count_frames((times.back() - times.front()) / step);
   if (!count) return fail(count.error());
@@ -80,11 +78,11 @@ bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
 Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
   if (!is_positive(frame_rate)) {
-    return refuse(fmt::format("expected a frame rate above 0, found {}", frame_rate));
+    return refuse_rate(fmt::format("expected a frame rate above 0, found {}", frame_rate));
   }
   const double old_rate = nominal_frame_rate(clip.timeline);
   if (!has_own_times(clip) && !is_positive(old_rate)) {
-    return refuse(fmt::format("expected a motion with a frame rate, found {}", old_rate));
+    return refuse_rate(fmt::format("expected a motion with a frame rate, found {}", old_rate));
   }
   auto map = has_own_times(clip) ? map_by_times(clip.timeline.times, 1 / frame_rate)
                                  : map_by_ratio(clip.num_frames, old_rate, frame_rate);
@@ -97,12 +95,12 @@ Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
 
 Result<TimeMap> speed_map(const Clip& clip, double speed) {
   if (!is_positive(speed)) {
-    return refuse(fmt::format("expected a speed above 0, found {}", speed));
+    return refuse_rate(fmt::format("expected a speed above 0, found {}", speed));
   }
   if (!has_own_times(clip)) return map_by_ratio(clip.num_frames, speed, 1);
   const double step = frame_time(clip.timeline) * speed;
   if (!is_positive(step)) {
-    return refuse(
+    return refuse_rate(
         fmt::format("expected a motion with a frame time, found {}", frame_time(clip.timeline)));
   }
   auto map = map_by_times(clip.timeline.times, step);
@@ -113,4 +111,4 @@ Result<TimeMap> speed_map(const Clip& clip, double speed) {
   return map;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

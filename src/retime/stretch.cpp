@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 namespace {
 
 /// A stretch of old frames within which the weight does not change.
@@ -79,4 +79,4 @@ Result<std::vector<Knot>> stretched_knots(const std::vector<Knot>& keys,
   return knots;
 }
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

@@ -6,7 +6,7 @@
 #include "kinefile/result.hpp"
 #include "retime/curves.hpp"
 
-namespace kinefile::retiming {
+namespace kinefile::retime {
 
 /// Puts knots between keys (x: new frames, y: old ones), so that straight pieces from knot to knot
 /// stretch time as weights say: dn/ds = 1 + c(s) k in every interval, where c runs straight from
@@ -18,4 +18,4 @@ namespace kinefile::retiming {
 Result<std::vector<Knot>> stretched_knots(const std::vector<Knot>& keys,
                                           const std::vector<double>& weights);
 
-}  // namespace kinefile::retiming
+}  // namespace kinefile::retime

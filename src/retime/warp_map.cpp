@@ -10,10 +10,8 @@
 #include "retime/frames.hpp"
 #include "retime/stretch.hpp"
 
-namespace kinefile {
+namespace kinefile::retime {
 namespace {
-
-using retiming::Knot;  // x: the new frame, y: the old one
 
 /// What follows the last knot: a straight line.
 struct StraightTail {
@@ -32,7 +30,7 @@ struct Plan {
   StraightTail tail = {};
 };
 
-tl::unexpected<Error> refuse(std::string message) {
+tl::unexpected<Error> refuse_keys(std::string message) {
   return fail(make_error(ErrorKind::Usage, "RTM001", std::move(message)));
 }
 
@@ -40,12 +38,12 @@ std::string text_of(const Knot& key) { return fmt::format("{}:{}", key.y, key.x)
 
 Result<void> check_key(const Knot& key, double last_frame) {
   if (!(key.y >= 0 && key.y <= last_frame)) {
-    return refuse(fmt::format("expected an old frame from 0 to {}, found the key {}", last_frame,
-                              text_of(key)));
+    return refuse_keys(fmt::format("expected an old frame from 0 to {}, found the key {}",
+                                   last_frame, text_of(key)));
   }
-  if (!(key.x >= 0 && key.x < retiming::kMostFrames)) {
-    return refuse(fmt::format("expected a new frame from 0 to {}, found the key {}",
-                              retiming::kMostFrames - 1, text_of(key)));
+  if (!(key.x >= 0 && key.x < kMostFrames)) {
+    return refuse_keys(fmt::format("expected a new frame from 0 to {}, found the key {}",
+                                   kMostFrames - 1, text_of(key)));
   }
   return {};
 }
@@ -70,7 +68,7 @@ Result<void> keep_length(std::vector<Knot>& keys, double last_frame) {
   const Knot last = keys.back();
   if (last.x == last_frame && last.y == last_frame) return {};
   if (last.x >= last_frame) {
-    return refuse(fmt::format(
+    return refuse_keys(fmt::format(
         "expected keys before the new frame {}, at which a motion that keeps its length ends, "
         "found {}; --tail extend lets the length change",
         last_frame, text_of(last)));
@@ -82,17 +80,17 @@ Result<void> keep_length(std::vector<Knot>& keys, double last_frame) {
 Result<void> check_interval(const Knot& from, const Knot& to, const WarpOptions& options) {
   constexpr double kLeastWidth = 1e-9;  // narrower ones are one frame, written twice
   if (to.x - from.x < kLeastWidth) {
-    return refuse(fmt::format("expected one key for the new frame {}, found {} and {}", to.x,
-                              text_of(from), text_of(to)));
+    return refuse_keys(fmt::format("expected one key for the new frame {}, found {} and {}", to.x,
+                                   text_of(from), text_of(to)));
   }
   if (to.y == from.y && !options.allow_hold) {
-    return refuse(
+    return refuse_keys(
         fmt::format("expected keys that go on in the old motion, found {} and {}, between which it "
                     "stands still; --allow-hold allows it",
                     text_of(from), text_of(to)));
   }
   if (to.y < from.y && !options.allow_reverse) {
-    return refuse(
+    return refuse_keys(
         fmt::format("expected keys that go on in the old motion, found {} and {}, between which it "
                     "runs backwards; --allow-reverse allows it",
                     text_of(from), text_of(to)));
@@ -103,21 +101,21 @@ Result<void> check_interval(const Knot& from, const Knot& to, const WarpOptions&
 Result<void> check_ease(const WarpOptions& options) {
   const bool is_eased = options.ease.kind != Ease::Kind::None;
   const bool is_straight = options.curve == WarpCurve::Linear;
-  if (!retiming::is_valid(options.ease)) {
-    return refuse(
+  if (!is_valid(options.ease)) {
+    return refuse_keys(
         "expected an ease with a positive power, or with x1 and x2 from 0 to 1, found other "
         "numbers");
   }
   if (is_eased && !is_straight) {
-    return refuse("expected an ease with the linear curve alone, found another curve");
+    return refuse_keys("expected an ease with the linear curve alone, found another curve");
   }
   if (!options.weights.empty() && (is_eased || !is_straight)) {
-    return refuse(
+    return refuse_keys(
         "expected no ease and no curve beside weights, which say by themselves how time runs "
         "between keys");
   }
-  if (retiming::goes_back(options.ease) && !options.allow_reverse) {
-    return refuse(
+  if (goes_back(options.ease) && !options.allow_reverse) {
+    return refuse_keys(
         "expected an ease that does not go back, found one that overshoots; --allow-reverse "
         "allows it");
   }
@@ -127,12 +125,12 @@ Result<void> check_ease(const WarpOptions& options) {
 Result<void> check_weights(const std::vector<double>& weights, std::size_t num_frames) {
   if (weights.empty()) return {};
   if (weights.size() != num_frames) {
-    return refuse(fmt::format("expected a weight for each of {} frames, found {}", num_frames,
-                              weights.size()));
+    return refuse_keys(fmt::format("expected a weight for each of {} frames, found {}", num_frames,
+                                   weights.size()));
   }
   const auto is_bad = [](double weight) { return !(weight >= 0 && std::isfinite(weight)); };
   if (std::any_of(weights.begin(), weights.end(), is_bad)) {
-    return refuse("expected weights of 0 or more, found another");
+    return refuse_keys("expected weights of 0 or more, found another");
   }
   return {};
 }
@@ -146,17 +144,17 @@ Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double
     tail.run = last.x - keys[keys.size() - 2].x;
   }
   if (tail.rise == 0) {
-    return refuse(
+    return refuse_keys(
         fmt::format("expected a last interval that moves on, found one that stands still up to "
                     "{}; the uniform tail would never end",
                     text_of(last)));
   }
   tail.end_old = tail.rise > 0 ? last_frame : 0;
   const double end = last.x + (tail.end_old - last.y) * tail.run / tail.rise;
-  tail.end = retiming::without_rounding(end);
-  if (!(tail.end < retiming::kMostFrames)) {
-    return refuse(fmt::format("expected at most {} new frames, found keys that give {}",
-                              retiming::kMostFrames, end));
+  tail.end = without_rounding(end);
+  if (!(tail.end < kMostFrames)) {
+    return refuse_keys(
+        fmt::format("expected at most {} new frames, found keys that give {}", kMostFrames, end));
   }
   return tail;
 }
@@ -166,14 +164,13 @@ std::vector<double> slopes_for(const std::vector<Knot>& knots, WarpCurve curve,
                                std::optional<double> tail_rate) {
   if (curve == WarpCurve::Linear || knots.size() < 2) return {};
   const bool is_steffen = curve == WarpCurve::Steffen;
-  std::vector<double> slopes =
-      is_steffen ? retiming::steffen_slopes(knots) : retiming::pchip_slopes(knots);
+  std::vector<double> slopes = is_steffen ? steffen_slopes(knots) : pchip_slopes(knots);
   const std::size_t last = knots.size() - 1;
   if (curve == WarpCurve::Hermite) {
-    slopes[0] = retiming::monotone_slope(1, knots[0], knots[1]);
+    slopes[0] = monotone_slope(1, knots[0], knots[1]);
     if (!tail_rate) tail_rate = 1;
   }
-  if (tail_rate) slopes[last] = retiming::monotone_slope(*tail_rate, knots[last - 1], knots[last]);
+  if (tail_rate) slopes[last] = monotone_slope(*tail_rate, knots[last - 1], knots[last]);
   return slopes;
 }
 
@@ -182,11 +179,10 @@ double between_knots(const Plan& plan, std::size_t j, double frame) {
   const Knot& from = plan.knots[j];
   const Knot& to = plan.knots[j + 1];
   if (!plan.slopes.empty()) {
-    return retiming::on_whole_frame(
-        retiming::cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame));
+    return on_whole_frame(cubic_at(from, plan.slopes[j], to, plan.slopes[j + 1], frame));
   }
   if (plan.ease.kind == Ease::Kind::None) {
-    return retiming::on_whole_frame(retiming::straight_at(from, to, frame));
+    return on_whole_frame(straight_at(from, to, frame));
   }
   return from.y + ease_at(plan.ease, (frame - from.x) / (to.x - from.x)) * (to.y - from.y);
 }
@@ -212,8 +208,7 @@ void add_interval(const Plan& plan, std::size_t j, double last_frame,
 void add_tail(const Knot& from, const StraightTail& tail, std::vector<double>& old_frames) {
   while (static_cast<double>(old_frames.size()) <= tail.end) {
     const auto frame = static_cast<double>(old_frames.size());
-    const double old_frame =
-        retiming::on_whole_frame(from.y + (frame - from.x) * tail.rise / tail.run);
+    const double old_frame = on_whole_frame(from.y + (frame - from.x) * tail.rise / tail.run);
     old_frames.push_back(frame == tail.end ? tail.end_old
                                            : std::clamp(old_frame, std::min(from.y, tail.end_old),
                                                         std::max(from.y, tail.end_old)));
@@ -234,7 +229,7 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
   }
   Plan plan{std::move(*keys)};
   plan.ease = options.ease;
-  plan.is_curve_monotone = !retiming::goes_back(options.ease);
+  plan.is_curve_monotone = !goes_back(options.ease);
   plan.tail.end = plan.knots.back().x;
   plan.tail.end_old = plan.knots.back().y;
   std::optional<double> tail_rate;
@@ -246,7 +241,7 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
   }
   plan.slopes = slopes_for(plan.knots, options.curve, tail_rate);
   if (!options.weights.empty()) {
-    auto stretched = retiming::stretched_knots(plan.knots, options.weights);
+    auto stretched = stretched_knots(plan.knots, options.weights);
     if (!stretched) return fail(std::move(stretched.error()));
     plan.knots = std::move(*stretched);
   }
@@ -256,13 +251,13 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
 }  // namespace
 
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
-  if (static_cast<double>(num_frames) > retiming::kMostFrames) {
-    return refuse(
-        fmt::format("expected at most {} frames, found {}", retiming::kMostFrames, num_frames));
+  if (static_cast<double>(num_frames) > kMostFrames) {
+    return refuse_keys(
+        fmt::format("expected at most {} frames, found {}", kMostFrames, num_frames));
   }
   if (num_frames == 0) {
     if (options.keys.empty()) return TimeMap{};
-    return refuse("expected a motion with frames to set keys in, found one without");
+    return refuse_keys("expected a motion with frames to set keys in, found one without");
   }
   for (auto checked : {check_ease(options), check_weights(options.weights, num_frames)}) {
     if (!checked) return fail(std::move(checked.error()));
@@ -280,4 +275,4 @@ Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
   return map;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::retime

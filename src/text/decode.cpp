@@ -31,10 +31,6 @@ void append_utf8(std::string& out, char32_t c) {
   }
 }
 
-std::uint8_t byte_at(std::string_view bytes, std::size_t i) {
-  return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
-}
-
 /// The length of the valid UTF-8 character at `i`, or 0 (Unicode 15, table 3-7).
 std::size_t utf8_length(std::string_view bytes, std::size_t i) {
   const std::uint8_t a = byte_at(bytes, i);

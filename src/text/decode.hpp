@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,11 @@ struct DecodedText {
   /// The encoding in words: "utf-8 with BOM".
   std::string description() const { return encoding + (has_bom ? " with BOM" : ""); }
 };
+
+/// The byte at `i`, or 0 behind the end.
+inline std::uint8_t byte_at(std::string_view bytes, std::size_t i) {
+  return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
+}
 
 /// Decodes bytes to UTF-8 without a byte order mark.
 /// \param encoding  "utf-8", "utf-16le", "utf-16be", "latin-1" or "cp932"; empty: a byte order

@@ -7,16 +7,13 @@
 #include <cstdint>
 
 #include "text/cp932.hpp"
+#include "text/decode.hpp"
 
 namespace kinefile::text {
 namespace {
 
 constexpr std::array<std::string_view, 5> kEncodings = {"utf-8", "utf-16le", "utf-16be", "latin-1",
                                                         "cp932"};
-
-std::uint8_t byte_at(std::string_view text, std::size_t i) {
-  return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0;
-}
 
 std::size_t length_at(std::string_view text, std::size_t i) {
   const std::uint8_t lead = byte_at(text, i);

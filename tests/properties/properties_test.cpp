@@ -8,9 +8,9 @@
 #include <cstring>
 #include <random>
 
-#include "kinefile/channels.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/shape.hpp"
 #include "support/support.hpp"
 
 namespace kinefile::test {
@@ -214,17 +214,18 @@ TEST(Properties, TurningTheRootTurnsTheWorld) {
 
 TEST(Properties, OtherChannelsMoveTheSame) {
   Random random(15);
-  constexpr PositionChannels kPositions[] = {PositionChannels::AsIs, PositionChannels::All};
+  constexpr shape::PositionChannels kPositions[] = {shape::PositionChannels::AsIs,
+                                                    shape::PositionChannels::All};
   for (int i = 0; i < 200; ++i) {
     const ReadText read = random_motion(random);
     const Motion before = read.motion();
-    ChannelOptions options;
+    shape::ChannelOptions options;
     options.positions = kPositions[below(random, 2)];
     const std::size_t a = below(random, 3);
     const std::size_t b = (a + 1 + below(random, 2)) % 3;
-    options.order = RotationOrder{a, b, (b + 1 + below(random, 2)) % 3};
+    options.order = shape::RotationOrder{a, b, (b + 1 + below(random, 2)) % 3};
     Diagnostics diagnostics;
-    const auto after = with_channels(before, options, diagnostics);
+    const auto after = shape::with_channels(before, options, diagnostics);
     ASSERT_TRUE(after);
     ASSERT_TRUE(validate(after->skeleton));
     const Box box = world_extent(before.skeleton, before.clip);

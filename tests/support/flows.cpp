@@ -94,20 +94,20 @@ PoseFlow v1r4_counter() {
 PoseBlock& pose_of(Block& block) { return std::get<PoseBlock>(block.body); }
 const PoseBlock& pose_of(const Block& block) { return std::get<PoseBlock>(block.body); }
 
-FlowRun run_of(const PoseFlow& flow, const RunOptions& options) {
+flow::Run run_of(const PoseFlow& flow, const flow::RunOptions& options) {
   Diagnostics diagnostics;
-  auto run = run_flow(flow, options, diagnostics);
+  auto run = flow::run(flow, options, diagnostics);
   EXPECT_TRUE(run) << run.error().message;
-  return run ? std::move(*run) : FlowRun{};
+  return run ? std::move(*run) : flow::Run{};
 }
 
-std::vector<std::size_t> path_of(const FlowRun& run) {
+std::vector<std::size_t> path_of(const flow::Run& run) {
   std::vector<std::size_t> path;
-  for (const FlowStep& step : run.path) path.push_back(step.block);
+  for (const flow::Step& step : run.path) path.push_back(step.block);
   return path;
 }
 
-std::vector<int> slider_of(const FlowRun& run, std::size_t slider) {
+std::vector<int> slider_of(const flow::Run& run, std::size_t slider) {
   std::vector<int> values;
   for (std::size_t tick = 0; tick <= run.num_ticks; ++tick) {
     values.push_back(run.sliders[tick * run.num_sliders + slider]);

@@ -34,12 +34,12 @@ PoseBlock& pose_of(Block& block);
 const PoseBlock& pose_of(const Block& block);
 
 /// Runs a flow, which must succeed.
-FlowRun run_of(const PoseFlow& flow, const RunOptions& options = {});
+flow::Run run_of(const PoseFlow& flow, const flow::RunOptions& options = {});
 
 /// The numbers of the blocks that a run came through.
-std::vector<std::size_t> path_of(const FlowRun& run);
+std::vector<std::size_t> path_of(const flow::Run& run);
 
 /// What a slider was at every tick.
-std::vector<int> slider_of(const FlowRun& run, std::size_t slider);
+std::vector<int> slider_of(const flow::Run& run, std::size_t slider);
 
 }  // namespace kinefile::test

@@ -9,7 +9,7 @@
 namespace kinefile::test {
 namespace {
 
-double word_at(const JointTrajectory& trajectory, const ServoMap& map, std::size_t tick,
+double word_at(const servo::JointTrajectory& trajectory, const ServoMap& map, std::size_t tick,
                std::size_t joint) {
   const ServoMapEntry& entry = map.entries[joint];
   return word_of_angle(entry, trajectory.angles[tick * trajectory.joints.size() + joint]);
@@ -27,7 +27,7 @@ struct SegmentFault {
   std::size_t tick = 0;
 };
 
-SegmentFault fault_of_segment(const JointTrajectory& trajectory, const ServoMap& map,
+SegmentFault fault_of_segment(const servo::JointTrajectory& trajectory, const ServoMap& map,
                               std::size_t from, std::size_t to) {
   SegmentFault fault;
   const int length = static_cast<int>(to - from);
@@ -60,8 +60,8 @@ ServoMap map_of_joints(std::size_t num_joints, int step) {
   return map;
 }
 
-JointTrajectory trajectory_of_degrees(const std::vector<double>& degrees) {
-  JointTrajectory trajectory;
+servo::JointTrajectory trajectory_of_degrees(const std::vector<double>& degrees) {
+  servo::JointTrajectory trajectory;
   trajectory.joints = {"j0"};
   trajectory.num_frames = degrees.size();
   trajectory.frame_time = 1.0 / 60;
@@ -69,12 +69,13 @@ JointTrajectory trajectory_of_degrees(const std::vector<double>& degrees) {
   return trajectory;
 }
 
-JointTrajectory swinging(std::size_t num_joints, std::size_t num_frames, std::uint32_t seed) {
+servo::JointTrajectory swinging(std::size_t num_joints, std::size_t num_frames,
+                                std::uint32_t seed) {
   std::mt19937 random(seed);  // which has the same numbers everywhere
   const auto up_to = [&random](double most) {
     return most * static_cast<double>(random()) / 4294967296.0;
   };
-  JointTrajectory trajectory;
+  servo::JointTrajectory trajectory;
   trajectory.num_frames = num_frames;
   trajectory.frame_time = 1.0 / 60;
   trajectory.angles.resize(num_frames * num_joints);
@@ -91,7 +92,7 @@ JointTrajectory swinging(std::size_t num_joints, std::size_t num_frames, std::ui
   return trajectory;
 }
 
-double error_of_ticks(const JointTrajectory& trajectory, const ServoMap& map,
+double error_of_ticks(const servo::JointTrajectory& trajectory, const ServoMap& map,
                       const std::vector<std::size_t>& ticks) {
   double largest = fault_of_segment(trajectory, map, ticks.front(), ticks.front()).error;
   for (std::size_t i = 1; i < ticks.size(); ++i) {
@@ -100,7 +101,7 @@ double error_of_ticks(const JointTrajectory& trajectory, const ServoMap& map,
   return largest;
 }
 
-std::vector<std::size_t> greedy_ticks(const JointTrajectory& trajectory, const ServoMap& map,
+std::vector<std::size_t> greedy_ticks(const servo::JointTrajectory& trajectory, const ServoMap& map,
                                       double tolerance) {
   const std::size_t last = trajectory.num_frames - 1;
   std::vector<std::size_t> ticks = {0};
@@ -114,7 +115,8 @@ std::vector<std::size_t> greedy_ticks(const JointTrajectory& trajectory, const S
   return ticks;
 }
 
-double greedy_error(const JointTrajectory& trajectory, const ServoMap& map, std::size_t num_poses) {
+double greedy_error(const servo::JointTrajectory& trajectory, const ServoMap& map,
+                    std::size_t num_poses) {
   double low = 0, high = 60;
   for (int i = 0; i < 20; ++i) {
     const double middle = (low + high) / 2;
@@ -125,7 +127,7 @@ double greedy_error(const JointTrajectory& trajectory, const ServoMap& map, std:
   return error_of_ticks(trajectory, map, greedy_ticks(trajectory, map, high));
 }
 
-double farthest_first_error(const JointTrajectory& trajectory, const ServoMap& map,
+double farthest_first_error(const servo::JointTrajectory& trajectory, const ServoMap& map,
                             std::size_t num_poses) {
   std::vector<std::size_t> ticks;
   for (std::size_t tick = 0; tick < trajectory.num_frames - 1; tick += kMaxTicks) {

@@ -62,17 +62,18 @@ Motion free_motion(const std::vector<std::vector<double>>& rows) {
   return motion;
 }
 
-TimeMap constant_rate(std::size_t num_frames, double rate) {
-  TimeMap map;
+retime::TimeMap constant_rate(std::size_t num_frames, double rate) {
+  retime::TimeMap map;
   for (std::size_t n = 0; n < num_frames; ++n) {
     map.old_frames.push_back(rate * static_cast<double>(n));
   }
   return map;
 }
 
-Motion retimed(const Motion& motion, const TimeMap& map, const RetimeOptions& options) {
+Motion retimed(const Motion& motion, const retime::TimeMap& map,
+               const retime::RetimeOptions& options) {
   Diagnostics diagnostics;
-  auto result = retime(motion, map, options, diagnostics);
+  auto result = retime::apply(motion, map, options, diagnostics);
   EXPECT_TRUE(result);
   for (const Diagnostic& diagnostic : diagnostics.items()) ADD_FAILURE() << to_string(diagnostic);
   return result ? std::move(*result) : Motion{};
@@ -89,7 +90,7 @@ double largest_step(const Clip& clip) {
 }
 
 LeaveOutError leave_out_error(const Motion& motion, std::size_t step,
-                              const RetimeOptions& options) {
+                              const retime::RetimeOptions& options) {
   std::vector<double> kept;
   for (std::size_t f = 0; f < motion.clip.num_frames; f += step) {
     kept.push_back(static_cast<double>(f));

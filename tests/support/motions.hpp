@@ -18,10 +18,11 @@ Motion turning_motion(const EulerAxes& axes, const std::vector<Vec3>& rows,
 Motion free_motion(const std::vector<std::vector<double>>& rows);
 
 /// The map n -> rate n.
-TimeMap constant_rate(std::size_t num_frames, double rate);
+retime::TimeMap constant_rate(std::size_t num_frames, double rate);
 
 /// Retimes a motion, which must succeed without a diagnostic.
-Motion retimed(const Motion& motion, const TimeMap& map, const RetimeOptions& options = {});
+Motion retimed(const Motion& motion, const retime::TimeMap& map,
+               const retime::RetimeOptions& options = {});
 
 /// The largest change of a value from one frame to the next.
 double largest_step(const Clip& clip);
@@ -33,6 +34,7 @@ struct LeaveOutError {
 };
 
 /// Keeps every `step`th frame of a motion and interpolates the others.
-LeaveOutError leave_out_error(const Motion& motion, std::size_t step, const RetimeOptions& options);
+LeaveOutError leave_out_error(const Motion& motion, std::size_t step,
+                              const retime::RetimeOptions& options);
 
 }  // namespace kinefile::test

@@ -12,10 +12,12 @@
 namespace kinefile {
 namespace {
 
-constexpr AlignOptions::By kWays[] = {AlignOptions::By::Angles, AlignOptions::By::Points};
+constexpr retime::AlignOptions::By kWays[] = {retime::AlignOptions::By::Angles,
+                                              retime::AlignOptions::By::Points};
 
-std::vector<double> aligned(const Motion& motion, const Motion& reference, AlignOptions::By by) {
-  const auto map = align_map(motion, reference, {by});
+std::vector<double> aligned(const Motion& motion, const Motion& reference,
+                            retime::AlignOptions::By by) {
+  const auto map = retime::align_map(motion, reference, {by});
   EXPECT_TRUE(map) << to_string(map.error());
   if (!map) return {};
   EXPECT_EQ(map->old_frames.size(), reference.clip.num_frames);
@@ -50,13 +52,13 @@ Motion shown_by(const Motion& motion, const std::vector<double>& old_frames) {
   return result;
 }
 
-std::vector<double> warp_of(std::size_t num_frames, std::vector<WarpKey> keys,
-                            Tail tail = Tail::Keep) {
-  WarpOptions options;
+std::vector<double> warp_of(std::size_t num_frames, std::vector<retime::WarpKey> keys,
+                            retime::Tail tail = retime::Tail::Keep) {
+  retime::WarpOptions options;
   options.keys = std::move(keys);
-  options.curve = WarpCurve::Pchip;
+  options.curve = retime::WarpCurve::Pchip;
   options.tail = tail;
-  return warp_map(num_frames, options)->old_frames;
+  return retime::warp_map(num_frames, options)->old_frames;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -78,7 +80,7 @@ TEST(AlignMap, AMotionIsAlignedWithItself) {
 
 TEST(AlignMap, ALongMotionIsAlignedWithItself) {
   const Motion walk = examples::make_walk({.num_frames = 4000});
-  const auto frames = aligned(walk, walk, AlignOptions::By::Angles);
+  const auto frames = aligned(walk, walk, retime::AlignOptions::By::Angles);
   for (std::size_t n = 0; n < frames.size(); ++n) ASSERT_NEAR(frames[n], double(n), 1e-9);
 }
 
@@ -94,7 +96,7 @@ TEST(AlignMap, FindsAWarp) {
 
 TEST(AlignMap, FindsAWarpOfAnotherLength) {
   const Motion walk = examples::make_walk({.num_frames = 300});
-  const auto warp = warp_of(300, {{150, 260}, {299, 420}}, Tail::Extend);
+  const auto warp = warp_of(300, {{150, 260}, {299, 420}}, retime::Tail::Extend);
   for (const auto by : kWays) {
     const auto frames = aligned(walk, shown_by(walk, warp), by);
     expect_rise(frames, 300);
@@ -110,7 +112,7 @@ TEST(AlignMap, PointsMayBeMovedOnTheGround) {
     elsewhere.clip.row(f)[0] += 500;
     elsewhere.clip.row(f)[2] -= 300;
   }
-  const auto frames = aligned(elsewhere, walk, AlignOptions::By::Points);
+  const auto frames = aligned(elsewhere, walk, retime::AlignOptions::By::Points);
   for (std::size_t n = 0; n < frames.size(); ++n) ASSERT_NEAR(frames[n], double(n), 1e-9);
 }
 
@@ -119,10 +121,10 @@ TEST(AlignMap, RisesWhereTheMotionsStandStill) {
   std::vector<double> still(200, 50);
   for (std::size_t n = 0; n < 50; ++n) still[n] = double(n);
   for (std::size_t n = 150; n < 200; ++n) still[n] = double(n) - 100;
-  expect_rise(aligned(walk, shown_by(walk, still), AlignOptions::By::Angles), 100);
-  expect_rise(aligned(shown_by(walk, still), walk, AlignOptions::By::Angles), 200);
+  expect_rise(aligned(walk, shown_by(walk, still), retime::AlignOptions::By::Angles), 100);
+  expect_rise(aligned(shown_by(walk, still), walk, retime::AlignOptions::By::Angles), 200);
   const Motion statue = shown_by(walk, std::vector<double>(80, 7));
-  expect_rise(aligned(statue, walk, AlignOptions::By::Points), 80);
+  expect_rise(aligned(statue, walk, retime::AlignOptions::By::Points), 80);
 }
 
 TEST(AlignMap, LengthsMayDifferMuch) {
@@ -163,11 +165,11 @@ TEST(AlignMap, NeedsSharedJointsAndFrames) {
   const Motion walk = examples::make_walk({.num_frames = 10});
   Motion other = walk;
   for (Joint& joint : other.skeleton.joints) joint.name += "'";
-  auto map = align_map(walk, other);
+  auto map = retime::align_map(walk, other);
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, "RTM004");
   EXPECT_EQ(map.error().kind, ErrorKind::Usage);
-  map = align_map(walk, shown_by(walk, {}));
+  map = retime::align_map(walk, shown_by(walk, {}));
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, "RTM004");
 }
@@ -176,7 +178,7 @@ TEST(AlignSequences, TakesTheCheapestWay) {
   const std::vector<double> rows = {0, 1, 2, 2, 2, 3, 4};
   const std::vector<double> columns = {0, 0, 1, 2, 3, 4, 4};
   double total = 0;
-  const auto way = retiming::align_sequences(
+  const auto way = retime::align_sequences(
       rows.size(), columns.size(),
       [&](std::size_t r, std::size_t c) { return std::abs(rows[r] - columns[c]); });
   for (const auto pair : way) total += std::abs(rows[pair.row] - columns[pair.column]);
@@ -185,7 +187,7 @@ TEST(AlignSequences, TakesTheCheapestWay) {
 
 TEST(AlignSequences, RunsNoLongerThanThreeStraightSteps) {
   // Everything in the second belongs to the first frame of the other, but for its last.
-  const auto way = retiming::align_sequences(
+  const auto way = retime::align_sequences(
       20, 20, [](std::size_t r, std::size_t c) { return r == 0 || c == 19 ? 0.0 : 1.0; });
   std::size_t run = 0;
   for (std::size_t i = 1; i < way.size(); ++i) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "kinefile/body_bridge.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "kinefile/compare.hpp"
+#include "kinefile/robot.hpp"
 #include "support/support.hpp"
 
 namespace kinefile::test {
@@ -63,7 +62,7 @@ TEST(BodyBridge, JointsMoveByKinematicsBehindTheRoot) {
   const BodyMotion body{{root_at(1, 2, 3), component(ComponentKind::Values, kJointDisplacement, 2,
                                                      {std::numbers::pi / 2, 0.25})}};
   Diagnostics diagnostics;
-  const auto motion = pose(body, robot(), false, diagnostics);
+  const auto motion = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(motion);
   EXPECT_TRUE(diagnostics.items().empty()) << text_of(diagnostics);
   const WorldPoses poses = forward_kinematics(motion->skeleton, motion->clip);
@@ -75,16 +74,16 @@ TEST(BodyBridge, LongerJointsAreCutAndShorterOnesRefusedOrHeld) {
   BodyMotion body{{root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 2,
                                                   {0.1, 0, 0.2, 0, 0.3, 0})}};
   Diagnostics diagnostics;
-  const auto cut = pose(body, robot(), false, diagnostics);
+  const auto cut = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(cut);
   EXPECT_EQ(cut->clip.num_frames, 2u);
   EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG014"});
 
   body.components[0] = root_at(0, 0, 0, 5);
-  const auto refused = pose(body, robot(), false, diagnostics);
+  const auto refused = robot::pose(body, robot(), false, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "BRG011");
-  const auto held = pose(body, robot(), true, diagnostics);
+  const auto held = robot::pose(body, robot(), true, diagnostics);
   ASSERT_TRUE(held);
   EXPECT_EQ(held->clip.row(4)[7], 0.3);
 }
@@ -93,7 +92,7 @@ TEST(BodyBridge, CountsThatAreNotTheModelsAreTold) {
   const BodyMotion body{
       {root_at(0, 0, 0), component(ComponentKind::Values, kJointDisplacement, 3, {0.1, 0.2, 9})}};
   Diagnostics diagnostics;
-  const auto motion = pose(body, robot(), false, diagnostics);
+  const auto motion = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->clip.row(0)[8], 0.2);
   ASSERT_EQ(diagnostics.items().size(), 1u);
@@ -109,7 +108,7 @@ TEST(BodyBridge, RollPitchYawStaysInTheRoot) {
   const BodyMotion body{
       {links, component(ComponentKind::Values, kJointDisplacement, 2, {0.5, 0.25})}};
   Diagnostics diagnostics;
-  const auto motion = pose(body, robot(), false, diagnostics);
+  const auto motion = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(motion);
   ASSERT_TRUE(validate(motion->skeleton));
   EXPECT_EQ(motion->clip.values, (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 0.5, 0.25}));
@@ -124,10 +123,10 @@ TEST(BodyBridge, RecordedLinksStandInThePlaceOfComputedOnesAndMoveNoOthers) {
       component(ComponentKind::Poses, kLinkPosition, 2, {0, 0, 1, 1, 0, 0, 0, 5, 5, 5, 0, 0, 0, 2});
   const BodyMotion body{{links, component(ComponentKind::Values, kJointDisplacement, 2, {0, 0.5})}};
   Diagnostics diagnostics;
-  const auto motion = pose(body, robot(), false, diagnostics);
+  const auto motion = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(motion);
   WorldPoses poses = forward_kinematics(motion->skeleton, motion->clip, {.rotations = true});
-  put_recorded_links(body, motion->skeleton, poses);
+  robot::put_recorded_links(body, motion->skeleton, poses);
   EXPECT_EQ(position(poses, 1), Vec3(5, 5, 5));
   EXPECT_NEAR((position(poses, 2) - Vec3(2, 0, 1)).norm(), 0, 1e-15);
   EXPECT_EQ(poses.rotations[7], 1);  // of unit length
@@ -142,12 +141,12 @@ TEST(BodyBridge, AllLinksGiveTheJointsBack) {
   const BodyMotion body{
       {root_at(1, 2, 3, 50), component(ComponentKind::Values, kJointDisplacement, 2, values)}};
   Diagnostics diagnostics;
-  const auto motion = pose(body, robot(), false, diagnostics);
+  const auto motion = robot::pose(body, robot(), false, diagnostics);
   ASSERT_TRUE(motion);
-  const auto links = project(*motion, BodyForm::Links, nullptr, diagnostics);
+  const auto links = robot::project(*motion, robot::BodyForm::Links, nullptr, diagnostics);
   ASSERT_TRUE(links);
   ASSERT_EQ(links->components.size(), 1u);
-  const auto again = pose(*links, robot(), false, diagnostics);
+  const auto again = robot::pose(*links, robot(), false, diagnostics);
   ASSERT_TRUE(again);
   for (std::size_t f = 0; f < 50; ++f) {
     EXPECT_NEAR(again->clip.row(f)[7], 0.2 * static_cast<double>(f), 1e-12);
@@ -163,11 +162,11 @@ TEST(BodyBridge, AZmpGoesIntoTheWorldAndBack) {
   zmp.is_root_relative = true;
   const BodyMotion body{{links, zmp}};
   Diagnostics diagnostics;
-  const auto world = with_zmp(body, false, diagnostics);
+  const auto world = robot::zmp(body, false, diagnostics);
   ASSERT_TRUE(world);
   const auto point = world->components[1].row(0);
   EXPECT_NEAR((Vec3(point[0], point[1], point[2]) - Vec3(1, 2.5, 0)).norm(), 0, 1e-15);
-  const auto back = with_zmp(*world, true, diagnostics);
+  const auto back = robot::zmp(*world, true, diagnostics);
   ASSERT_TRUE(back);
   const auto own = back->components[1].row(0);
   EXPECT_NEAR((Vec3(own[0], own[1], own[2]) - Vec3(0.5, 0, -3)).norm(), 0, 1e-15);
@@ -181,9 +180,9 @@ TEST(BodyBridge, PartsComeBackAsTheyWere) {
     for (std::size_t i = 0; i < 3 * links.row_size(); ++i) {
       links.values.push_back(std::sin(static_cast<double>(i)));
     }
-    const Motion motion = motion_of_component(links);
+    const Motion motion = robot::motion_of_component(links);
     EXPECT_TRUE(validate(motion.skeleton));
-    EXPECT_EQ(with_frames_of(links, motion).values, links.values);
+    EXPECT_EQ(robot::with_frames_of(links, motion).values, links.values);
   }
 }
 
@@ -199,8 +198,8 @@ TEST(BodyBridge, JointsThatMoveFreelyGetThreePositionsAndThreeAngles) {
       }
     }
   }
-  const Motion free = motion_of_component(links);
-  const Motion bound = without_free_joints(free);
+  const Motion free = robot::motion_of_component(links);
+  const Motion bound = robot::without_free_joints(free);
   ASSERT_TRUE(validate(bound.skeleton));
   const MotionComparison comparison = compare_motions(free, bound);
   EXPECT_LT(comparison.distance.value, 1e-14);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "kinefile/channels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kinefile/compare.hpp"
+#include "kinefile/shape.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
 namespace kinefile {
 namespace {
 
-Motion changed(const Motion& motion, const ChannelOptions& options) {
+Motion changed(const Motion& motion, const shape::ChannelOptions& options) {
   Diagnostics diagnostics;
-  auto result = with_channels(motion, options, diagnostics);
+  auto result = shape::with_channels(motion, options, diagnostics);
   EXPECT_TRUE(result) << to_string(result.error());
   EXPECT_TRUE(validate(result->skeleton));
   return result ? std::move(*result) : Motion{};
@@ -56,7 +55,7 @@ constexpr char kMixed[] =
 TEST(WithChannels, EveryOrderPlacesTheSame) {
   const Motion walk = examples::make_walk({.num_frames = 100});
   for (const char* word : {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "ZXZ", "XYX"}) {
-    const Motion other = changed(walk, {.order = parse_rotation_order(word)});
+    const Motion other = changed(walk, {.order = shape::parse_rotation_order(word)});
     EXPECT_LT(distance(walk, other), 1e-12) << word;
     EXPECT_LT(largest_step(other.clip), 180) << word;
   }
@@ -64,7 +63,7 @@ TEST(WithChannels, EveryOrderPlacesTheSame) {
 
 TEST(WithChannels, AnOrderThatIsThereKeepsEveryBit) {
   const Motion walk = examples::make_walk({.num_frames = 50});
-  const Motion same = changed(walk, {.order = parse_rotation_order("ZXY")});
+  const Motion same = changed(walk, {.order = shape::parse_rotation_order("ZXY")});
   EXPECT_EQ(same.clip.values, walk.clip.values);
 }
 
@@ -74,7 +73,7 @@ TEST(WithChannels, TurnsBeyondHalfACircleGoOn) {
     rows.push_back("0 0 0 10 20 " + std::to_string(f * 30) + " 0 0 0");
   }
   const Motion spin = test::motion_of(test::bvh_with_rows(rows));
-  const Motion other = changed(spin, {.order = parse_rotation_order("YXZ")});
+  const Motion other = changed(spin, {.order = shape::parse_rotation_order("YXZ")});
   EXPECT_LT(distance(spin, other), 1e-12);
   EXPECT_LT(largest_step(other.clip), 60);
   EXPECT_GT(std::abs(other.clip.row(39)[3] - other.clip.row(0)[3]), 1000);
@@ -86,7 +85,7 @@ TEST(WithChannels, AFrameThatIsNotFiniteDoesNotSpoilTheNext) {
       test::read_bvh(test::bvh_with_rows({"0 0 0 10 20 400 0 0 0", "0 0 0 nan 20 410 0 0 0",
                                           "0 0 0 10 20 420 0 0 0"}),
                      quiet);
-  const Motion other = changed(read.motion(), {.order = parse_rotation_order("YXZ")});
+  const Motion other = changed(read.motion(), {.order = shape::parse_rotation_order("YXZ")});
   EXPECT_TRUE(std::isnan(other.clip.row(1)[3]));
   EXPECT_FALSE(std::isnan(other.clip.row(2)[3]));
   EXPECT_LT(std::abs(other.clip.row(2)[3] - other.clip.row(0)[3]), 90);
@@ -94,7 +93,7 @@ TEST(WithChannels, AFrameThatIsNotFiniteDoesNotSpoilTheNext) {
 
 TEST(WithChannels, AsIsKeepsPositionsScalesAndSingleRotations) {
   const Motion mixed = test::motion_of(kMixed);
-  const Motion other = changed(mixed, {.order = parse_rotation_order("XYZ")});
+  const Motion other = changed(mixed, {.order = shape::parse_rotation_order("XYZ")});
   EXPECT_EQ(channels_of(other, 0), "Yposition Xrotation Yrotation Zrotation ");
   EXPECT_EQ(channels_of(other, 1), "Zposition Yposition Zrotation ");
   EXPECT_EQ(channels_of(other, 2), "Zrotation Xscale ");
@@ -103,7 +102,8 @@ TEST(WithChannels, AsIsKeepsPositionsScalesAndSingleRotations) {
 
 TEST(WithChannels, AllGivesSixChannelsToEveryJoint) {
   const Motion mixed = test::motion_of(kMixed);
-  const Motion all = changed(mixed, {.order = std::nullopt, .positions = PositionChannels::All});
+  const Motion all =
+      changed(mixed, {.order = std::nullopt, .positions = shape::PositionChannels::All});
   EXPECT_EQ(channels_of(all, 0), "Xposition Yposition Zposition Zrotation Yrotation Xrotation ");
   EXPECT_EQ(channels_of(all, 1), "Xposition Yposition Zposition Zrotation Xrotation Yrotation ");
   EXPECT_EQ(channels_of(all, 2),
@@ -113,7 +113,8 @@ TEST(WithChannels, AllGivesSixChannelsToEveryJoint) {
 
 TEST(WithChannels, RootPutsPositionsThatStayIntoTheOffset) {
   const Motion mixed = test::motion_of(kMixed);
-  const Motion root = changed(mixed, {.order = std::nullopt, .positions = PositionChannels::Root});
+  const Motion root =
+      changed(mixed, {.order = std::nullopt, .positions = shape::PositionChannels::Root});
   EXPECT_EQ(channels_of(root, 0), "Xposition Yposition Zposition Zrotation Yrotation Xrotation ");
   EXPECT_EQ(channels_of(root, 1), "Zrotation Xrotation Yrotation ");
   EXPECT_EQ(root.skeleton.joints[1].offset, Vec3(4, 5, 6));
@@ -125,16 +126,16 @@ TEST(WithChannels, RootRefusesToLosePositionsThatMove) {
   moving.replace(moving.find("7 20 30 40 6"), 12, "7 20 30 40 8");
   const Motion mixed = test::motion_of(moving);
   Diagnostics diagnostics;
-  ChannelOptions options;
-  options.positions = PositionChannels::Root;
-  const auto refused = with_channels(mixed, options, diagnostics);
+  shape::ChannelOptions options;
+  options.positions = shape::PositionChannels::Root;
+  const auto refused = shape::with_channels(mixed, options, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
   EXPECT_EQ(refused.error().code, "EDT001");
   EXPECT_EQ(refused.error().message,
             "joint 'a' moves along Zposition, which is lost without its position channels");
   options.lenient = true;
-  EXPECT_TRUE(with_channels(mixed, options, diagnostics));
+  EXPECT_TRUE(shape::with_channels(mixed, options, diagnostics));
   EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT001"});
 }
 
@@ -143,7 +144,7 @@ TEST(WithChannels, PositionsThatAreAddedStayAdded) {
   options.positions = PositionMode::Add;
   const auto added = test::read_bvh(kMixed, options);
   const Motion all =
-      changed(added.motion(), {.order = std::nullopt, .positions = PositionChannels::All});
+      changed(added.motion(), {.order = std::nullopt, .positions = shape::PositionChannels::All});
   EXPECT_LT(distance(added.motion(), all), 1e-15);
   Document document;
   document.content = all;
@@ -160,16 +161,17 @@ TEST(WithChannels, ARobotCannotHaveThem) {
   robot.skeleton.coordinates.resize(7);
   robot.clip.num_coordinates = 7;
   Diagnostics diagnostics;
-  const auto refused = with_channels(robot, {.order = parse_rotation_order("XYZ")}, diagnostics);
+  const auto refused =
+      shape::with_channels(robot, {.order = shape::parse_rotation_order("XYZ")}, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT002");
 }
 
 TEST(ParseRotationOrder, TakesTwelveOrders) {
-  EXPECT_EQ(parse_rotation_order("zxy"), (RotationOrder{2, 0, 1}));
-  EXPECT_EQ(parse_rotation_order("ZXZ"), (RotationOrder{2, 0, 2}));
+  EXPECT_EQ(shape::parse_rotation_order("zxy"), (shape::RotationOrder{2, 0, 1}));
+  EXPECT_EQ(shape::parse_rotation_order("ZXZ"), (shape::RotationOrder{2, 0, 2}));
   for (const char* word : {"", "XY", "XXY", "XYY", "XYW", "XYZX"}) {
-    EXPECT_FALSE(parse_rotation_order(word)) << word;
+    EXPECT_FALSE(shape::parse_rotation_order(word)) << word;
   }
 }
 

@@ -41,7 +41,7 @@ Motion hopper(std::size_t up = 1, double unit = 1) {
 
 std::vector<double> weights_of(const Motion& motion, std::vector<std::string> notes) {
   Diagnostics diagnostics;
-  const auto weights = contact_weights(motion, diagnostics);
+  const auto weights = retime::contact_weights(motion, diagnostics);
   EXPECT_TRUE(weights) << to_string(weights.error());
   EXPECT_EQ(test::codes_of(diagnostics), notes);
   return weights ? *weights : std::vector<double>{};
@@ -60,7 +60,7 @@ TEST(ContactWeights, FindsWhereUpIs) { expect_hop(weights_of(hopper(2), {"RTM006
 
 TEST(ContactWeights, TakesTheRestPoseForAPerson) {
   Diagnostics diagnostics;
-  EXPECT_TRUE(contact_weights(hopper(1, 100), diagnostics));
+  EXPECT_TRUE(retime::contact_weights(hopper(1, 100), diagnostics));
   EXPECT_EQ(test::text_of(diagnostics),
             "note[RTM006]: the motion has no unit of length; its rest pose, 170 units high, is "
             "taken to be 1.7 m\n");
@@ -116,7 +116,7 @@ TEST(ContactWeights, NeedFeet) {
   Motion motion = hopper();
   motion.skeleton.joints[1].name = "Eyeball";
   Diagnostics diagnostics;
-  const auto weights = contact_weights(motion, diagnostics);
+  const auto weights = retime::contact_weights(motion, diagnostics);
   ASSERT_FALSE(weights);
   EXPECT_EQ(weights.error().code, "RTM003");
   EXPECT_EQ(weights.error().kind, ErrorKind::Usage);
@@ -124,7 +124,7 @@ TEST(ContactWeights, NeedFeet) {
 
 TEST(ContactWeights, FindThePointsThatTouchTheGround) {
   const Motion walk = examples::make_walk({.num_frames = 2});
-  const auto points = retiming::find_foot_points(walk.skeleton);
+  const auto points = retime::find_foot_points(walk.skeleton);
   ASSERT_EQ(points.size(), 4u);  // toes and their tips
   EXPECT_EQ(walk.skeleton.joints[points[0].joint].name, "LeftToe");
   EXPECT_EQ(walk.skeleton.joints[points[2].joint].name, "RightToe");
@@ -133,7 +133,7 @@ TEST(ContactWeights, FindThePointsThatTouchTheGround) {
   for (const char* name : {"lfoot", "RTOES", "LeftAnkle", "ball_l", "\u5de6\u8db3\u9996"}) {
     Motion motion = hopper();
     motion.skeleton.joints[1].name = name;
-    EXPECT_EQ(retiming::find_foot_points(motion.skeleton).size(), 1u) << name;
+    EXPECT_EQ(retime::find_foot_points(motion.skeleton).size(), 1u) << name;
   }
 }
 

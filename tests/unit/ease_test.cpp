@@ -11,9 +11,9 @@ namespace kinefile {
 namespace {
 
 double eased(const char* name, double u) {
-  const auto ease = parse_ease(name);
+  const auto ease = retime::parse_ease(name);
   EXPECT_TRUE(ease) << name;
-  return ease ? ease_at(*ease, u) : std::nan("");
+  return ease ? retime::ease_at(*ease, u) : std::nan("");
 }
 
 TEST(Ease, HasTheValuesOfItsFormula) {
@@ -37,8 +37,8 @@ TEST(Ease, BezierIsTheCurveOfStyleSheets) {
 TEST(Ease, BezierMeetsItsParameterWhereTheCurveIsUpright) {
   for (const auto& [x1, x2] : {std::pair(1.0, 0.0), std::pair(0.0, 0.0), std::pair(1.0, 1.0)}) {
     // With y as x the curve is the diagonal, however fast it is run through.
-    const Ease ease{Ease::Kind::Bezier, 2, x1, x1, x2, x2};
-    for (double u = 0; u <= 1; u += 1.0 / 64) EXPECT_NEAR(ease_at(ease, u), u, 1e-12) << x1;
+    const retime::Ease ease{retime::Ease::Kind::Bezier, 2, x1, x1, x2, x2};
+    for (double u = 0; u <= 1; u += 1.0 / 64) EXPECT_NEAR(retime::ease_at(ease, u), u, 1e-12) << x1;
   }
 }
 
@@ -72,18 +72,18 @@ TEST(Ease, WhatIsNoEaseIsNotRead) {
                            "bezier:0,0,1.1,1",
                            "bezier:0,nan,1,1",
                            "bezier:0,0,1,1,0"}) {
-    EXPECT_FALSE(parse_ease(name)) << name;
+    EXPECT_FALSE(retime::parse_ease(name)) << name;
   }
 }
 
 TEST(Ease, TellsWhichBezierCurvesGoBack) {
-  EXPECT_FALSE(retiming::goes_back(*parse_ease("bezier:0.3,0,0.7,1")));
-  EXPECT_FALSE(retiming::goes_back(*parse_ease("bezier:0,1,1,0")));
-  EXPECT_FALSE(retiming::goes_back(*parse_ease("bezier:0.3,1.2,0.7,0.9")));
-  EXPECT_TRUE(retiming::goes_back(*parse_ease("bezier:0.3,-0.1,0.7,1")));
-  EXPECT_TRUE(retiming::goes_back(*parse_ease("bezier:0.3,0,0.7,1.1")));
-  EXPECT_TRUE(retiming::goes_back(*parse_ease("bezier:0.3,1.5,0.7,0.5")));
-  EXPECT_FALSE(retiming::goes_back(*parse_ease("smooth")));
+  EXPECT_FALSE(retime::goes_back(*retime::parse_ease("bezier:0.3,0,0.7,1")));
+  EXPECT_FALSE(retime::goes_back(*retime::parse_ease("bezier:0,1,1,0")));
+  EXPECT_FALSE(retime::goes_back(*retime::parse_ease("bezier:0.3,1.2,0.7,0.9")));
+  EXPECT_TRUE(retime::goes_back(*retime::parse_ease("bezier:0.3,-0.1,0.7,1")));
+  EXPECT_TRUE(retime::goes_back(*retime::parse_ease("bezier:0.3,0,0.7,1.1")));
+  EXPECT_TRUE(retime::goes_back(*retime::parse_ease("bezier:0.3,1.5,0.7,0.5")));
+  EXPECT_FALSE(retime::goes_back(*retime::parse_ease("smooth")));
 }
 
 }  // namespace

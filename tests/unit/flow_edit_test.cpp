@@ -43,15 +43,15 @@ TEST(FlowEdit, AMirrorSwapsPairsWithTheirSign) {
   pose_of(flow.blocks[1]).servo_off[1] = true;
   pose_of(flow.blocks[1]).words[1].is_enabled = false;
   Diagnostics diagnostics;
-  const std::vector<MirrorPair> pairs = {{0, 1, -1}, {2, 2, -1}};
-  const PoseFlow mirrored = made(mirrored_flow(flow, pairs, diagnostics));
+  const std::vector<flow::MirrorPair> pairs = {{0, 1, -1}, {2, 2, -1}};
+  const PoseFlow mirrored = made(flow::mirror(flow, pairs, diagnostics));
   EXPECT_EQ(values_of(mirrored.blocks[1]), (std::vector<int>{200, -100, -7}));
   EXPECT_FALSE(pose_of(mirrored.blocks[1]).words[0].is_enabled);
   EXPECT_TRUE(pose_of(mirrored.blocks[1]).words[1].is_enabled);
   EXPECT_TRUE(pose_of(mirrored.blocks[1]).servo_off[0]);
   EXPECT_FALSE(pose_of(mirrored.blocks[1]).servo_off[1]);
-  EXPECT_EQ(made(mirrored_flow(mirrored, pairs, diagnostics)), flow);
-  EXPECT_EQ(values_of(made(mirrored_flow(flow, {{0, 1, 1}}, diagnostics)).blocks[2]),
+  EXPECT_EQ(made(flow::mirror(mirrored, pairs, diagnostics)), flow);
+  EXPECT_EQ(values_of(made(flow::mirror(flow, {{0, 1, 1}}, diagnostics)).blocks[2]),
             (std::vector<int>{50, 300, 8}));
   EXPECT_EQ(text_of(diagnostics), "");
 }
@@ -59,7 +59,7 @@ TEST(FlowEdit, AMirrorSwapsPairsWithTheirSign) {
 TEST(FlowEdit, AMirrorKeepsToSixteenBits) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(1, {-32768, 5}, 2), end_block()});
   Diagnostics diagnostics;
-  const PoseFlow mirrored = made(mirrored_flow(flow, {{0, 1, -1}}, diagnostics));
+  const PoseFlow mirrored = made(flow::mirror(flow, {{0, 1, -1}}, diagnostics));
   EXPECT_EQ(values_of(mirrored.blocks[1]), (std::vector<int>{-5, 32767}));
   EXPECT_EQ(text_of(diagnostics),
             "note[FLW013]: -32768 becomes 32767 in pose block 1, slider 0 or 1\n");
@@ -70,18 +70,18 @@ TEST(FlowEdit, AMirrorTellsOfSlidersThatAreVariables) {
                                  variable_block(64, Arithmetic::Assign, 1, 3),
                                  branch_block(64, Condition::Equal, 0, 4, 4), end_block()});
   Diagnostics diagnostics;
-  made(mirrored_flow(flow, {{0, 1, -1}}, diagnostics));
+  made(flow::mirror(flow, {{0, 1, -1}}, diagnostics));
   EXPECT_EQ(text_of(diagnostics),
             "warning[FLW012]: block 2 uses slider 1 as a variable, which is not mirrored\n");
 }
 
 TEST(FlowEdit, AMirrorRefusesPairsThatAreNone) {
   Diagnostics diagnostics;
-  EXPECT_EQ(refusal_of(mirrored_flow(straight(), {{0, 3, -1}}, diagnostics)),
+  EXPECT_EQ(refusal_of(flow::mirror(straight(), {{0, 3, -1}}, diagnostics)),
             "error[FLW002]: expected a slider below 3, found 3");
-  EXPECT_EQ(refusal_of(mirrored_flow(straight(), {{0, 1, -1}, {1, 2, -1}}, diagnostics)),
+  EXPECT_EQ(refusal_of(flow::mirror(straight(), {{0, 1, -1}, {1, 2, -1}}, diagnostics)),
             "error[FLW002]: slider 1 is in two pairs");
-  EXPECT_EQ(refusal_of(mirrored_flow(straight(), {{0, 1, 2}}, diagnostics)),
+  EXPECT_EQ(refusal_of(flow::mirror(straight(), {{0, 1, 2}}, diagnostics)),
             "error[FLW002]: expected a sign of 1 or -1, found 2");
 }
 
@@ -97,7 +97,7 @@ TEST(FlowEdit, TakesPairsFromAProject) {
   set_pair(3, PairKind::Centre, 0);
   set_pair(4, PairKind::Left, 5);
   set_pair(5, PairKind::Right, 40);
-  const auto pairs = mirror_pairs_of(project, 5);  // 5 is no slider of the flow
+  const auto pairs = flow::mirror_pairs_of(project, 5);  // 5 is no slider of the flow
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_EQ(pairs[0].slider, 0u);
   EXPECT_EQ(pairs[0].partner, 2u);
@@ -110,24 +110,25 @@ TEST(FlowEdit, PairsWhoseWordsAreAlikeAreInDoubt) {
   // 0:1 opposite, 2:3 alike, 4:5 alike once and opposite once.
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(1, {7, -7, 9, 9, 3, 3}, 2),
                                  pose_block(1, {0, 0, 5, 4, 2, -2}, 3), end_block()});
-  const auto doubtful = doubtful_pairs(flow, {{0, 1, -1}, {2, 3, -1}, {4, 5, -1}, {9, 8, -1}});
+  const auto doubtful =
+      flow::doubtful_pairs(flow, {{0, 1, -1}, {2, 3, -1}, {4, 5, -1}, {9, 8, -1}});
   ASSERT_EQ(doubtful.size(), 1u);
   EXPECT_EQ(doubtful[0].slider, 2u);
-  EXPECT_TRUE(doubtful_pairs(flow, {{2, 3, 1}}).empty());
+  EXPECT_TRUE(flow::doubtful_pairs(flow, {{2, 3, 1}}).empty());
 }
 
 TEST(FlowEdit, AReverseKeepsTheTimesBetweenPoses) {
   PoseFlow flow = straight();
   flow.blocks[3].name = "last";
   pose_of(flow.blocks[2]).servo_off[4] = true;  // on the way from the first to the second
-  const PoseFlow reversed = made(reversed_flow(flow));
+  const PoseFlow reversed = made(flow::reverse(flow));
   EXPECT_EQ(ticks_of(reversed), (std::vector<int>{10, 30, 20}));
   EXPECT_EQ(values_of(reversed.blocks[1]), (std::vector<int>{-1000, 0, 9}));
   EXPECT_EQ(values_of(reversed.blocks[2]), (std::vector<int>{300, 50, 8}));
   EXPECT_EQ(values_of(reversed.blocks[3]), (std::vector<int>{100, -200, 7}));
   EXPECT_EQ(reversed.blocks[1].name, "last");
   EXPECT_TRUE(pose_of(reversed.blocks[3]).servo_off[4]);
-  EXPECT_EQ(made(reversed_flow(reversed)), flow);
+  EXPECT_EQ(made(flow::reverse(reversed)), flow);
   // After the first pose, what is seen runs backwards.
   const auto forth = slider_of(run_of(flow), 1);
   const auto back = slider_of(run_of(reversed), 1);
@@ -138,26 +139,24 @@ TEST(FlowEdit, AReverseKeepsTheTimesBetweenPoses) {
 }
 
 TEST(FlowEdit, AReverseNeedsAStraightFlow) {
-  EXPECT_EQ(refusal_of(reversed_flow(v1r4_loop())),
+  EXPECT_EQ(refusal_of(flow::reverse(v1r4_loop())),
             "error[FLW003]: expected poses that go straight on, found that block 4 loops, branches "
             "or computes");
-  EXPECT_EQ(refusal_of(reversed_flow(word_n_loop())),
+  EXPECT_EQ(refusal_of(flow::reverse(word_n_loop())),
             "error[FLW003]: expected poses that go straight on, found that block 1 has a break");
-  EXPECT_EQ(refusal_of(reversed_flow(word_n_of({pose_block(1, {0}, 1), pose_block(1, {0}, 0)}))),
+  EXPECT_EQ(refusal_of(flow::reverse(word_n_of({pose_block(1, {0}, 1), pose_block(1, {0}, 0)}))),
             "error[FLW003]: expected poses that go straight on, found that block 0 is come to "
             "again");
 }
 
 TEST(FlowEdit, ASpeedDividesTimes) {
   Diagnostics diagnostics;
-  EXPECT_EQ(ticks_of(made(with_flow_speed(straight(), 2, diagnostics))),
-            (std::vector<int>{5, 10, 15}));
-  EXPECT_EQ(ticks_of(made(with_flow_speed(straight(), 0.5, diagnostics))),
+  EXPECT_EQ(ticks_of(made(flow::speed(straight(), 2, diagnostics))), (std::vector<int>{5, 10, 15}));
+  EXPECT_EQ(ticks_of(made(flow::speed(straight(), 0.5, diagnostics))),
             (std::vector<int>{20, 40, 60}));
-  EXPECT_EQ(made(with_flow_speed(v1r4_loop(), 1, diagnostics)), v1r4_loop());
+  EXPECT_EQ(made(flow::speed(v1r4_loop(), 1, diagnostics)), v1r4_loop());
   EXPECT_EQ(text_of(diagnostics), "");
-  EXPECT_EQ(ticks_of(made(with_flow_speed(straight(), 25, diagnostics))),
-            (std::vector<int>{1, 1, 1}));
+  EXPECT_EQ(ticks_of(made(flow::speed(straight(), 25, diagnostics))), (std::vector<int>{1, 1, 1}));
   EXPECT_EQ(text_of(diagnostics),
             "note[FLW015]: block 1 would take 0.4 ticks and takes one\n"
             "note[FLW015]: block 2 would take 0.8 ticks and takes one\n");
@@ -168,7 +167,7 @@ TEST(FlowEdit, ASlowPoseIsPartedOnItsLine) {
                              pose_block(10, {0, 0}, kNoBlock)});
   pose_of(flow.blocks[1]).sound = "drum.wav";
   Diagnostics diagnostics;
-  const PoseFlow slow = made(with_flow_speed(flow, 0.25, diagnostics));
+  const PoseFlow slow = made(flow::speed(flow, 0.25, diagnostics));
   EXPECT_EQ(text_of(diagnostics), "");
   EXPECT_EQ(ticks_of(slow), (std::vector<int>{200, 200, 200, 40}));
   EXPECT_EQ(values_of(slow.blocks[1]), (std::vector<int>{500, -495}));
@@ -186,7 +185,7 @@ TEST(FlowEdit, ASlowPoseIsPartedOnItsLine) {
 TEST(FlowEdit, ASlowPoseFromManyPlacesIsHeld) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(200, {900}, 2), end_block()});
   Diagnostics diagnostics;
-  const PoseFlow slow = made(with_flow_speed(flow, 0.5, diagnostics));
+  const PoseFlow slow = made(flow::speed(flow, 0.5, diagnostics));
   EXPECT_EQ(ticks_of(slow), (std::vector<int>{200, 200}));
   EXPECT_EQ(values_of(slow.blocks[1]), (std::vector<int>{900}));
   EXPECT_EQ(slow.blocks[0].normal, 1);
@@ -198,21 +197,21 @@ TEST(FlowEdit, ASlowPoseFromManyPlacesIsHeld) {
 
 TEST(FlowEdit, ASpeedIsAboveZeroAndNotTooSlow) {
   Diagnostics diagnostics;
-  EXPECT_EQ(refusal_of(with_flow_speed(straight(), 0, diagnostics)),
+  EXPECT_EQ(refusal_of(flow::speed(straight(), 0, diagnostics)),
             "error[FLW004]: expected a factor above 0, found 0");
-  EXPECT_EQ(refusal_of(with_flow_speed(straight(), 1e-9, diagnostics)),
+  EXPECT_EQ(refusal_of(flow::speed(straight(), 1e-9, diagnostics)),
             "error[FLW004]: the flow would have 2.51e+08 blocks, more than 100000");
 }
 
 TEST(FlowEdit, AnOffsetMovesWordsThatAreEnabled) {
   PoseFlow flow = straight();
   pose_of(flow.blocks[2]).words[0].is_enabled = false;
-  const PoseFlow moved = made(with_slider_offset(flow, 0, -30));
+  const PoseFlow moved = made(flow::offset(flow, 0, -30));
   EXPECT_EQ(values_of(moved.blocks[1]), (std::vector<int>{70, -200, 7}));
   EXPECT_EQ(values_of(moved.blocks[2]), (std::vector<int>{300, 50, 8}));
-  EXPECT_EQ(refusal_of(with_slider_offset(flow, 3, 1)),
+  EXPECT_EQ(refusal_of(flow::offset(flow, 3, 1)),
             "error[FLW005]: expected a slider below 3, found 3");
-  EXPECT_EQ(refusal_of(with_slider_offset(flow, 0, -32000)),
+  EXPECT_EQ(refusal_of(flow::offset(flow, 0, -32000)),
             "error[FLW005]: slider 0 would be -33000 in block 3, and words go from -32768 to "
             "32767");
 }
@@ -220,20 +219,20 @@ TEST(FlowEdit, AnOffsetMovesWordsThatAreEnabled) {
 TEST(FlowEdit, AMergeTakesSlidersPoseByPose) {
   const PoseFlow other = word_n_of(
       {pose_block(1, {1, 2}, 1), pose_block(1, {3, 4}, 2), pose_block(1, {5, 6}, kNoBlock)});
-  const PoseFlow merged = made(merged_flow(straight(), other, {1}));
+  const PoseFlow merged = made(flow::merge(straight(), other, {1}));
   EXPECT_EQ(values_of(merged.blocks[1]), (std::vector<int>{100, 2, 7}));
   EXPECT_EQ(values_of(merged.blocks[3]), (std::vector<int>{-1000, 6, 9}));
   EXPECT_EQ(ticks_of(merged), ticks_of(straight()));
-  EXPECT_EQ(refusal_of(merged_flow(straight(), other, {2})),
+  EXPECT_EQ(refusal_of(flow::merge(straight(), other, {2})),
             "error[FLW006]: expected sliders of both flows, below 2, found 2");
-  EXPECT_EQ(refusal_of(merged_flow(straight(), v1r4_loop(), {0})),
+  EXPECT_EQ(refusal_of(flow::merge(straight(), v1r4_loop(), {0})),
             "error[FLW006]: expected flows with as many poses, found 3 and 4");
 }
 
 TEST(FlowEdit, InsertsPosesOnTheNormalWay) {
   PoseFlow flow = v1r4_loop();
   const PoseFlow other = word_n_of({pose_block(1, {1}, 1), pose_block(2, {2}, kNoBlock)});
-  const PoseFlow longer = made(with_inserted(flow, 4, other));
+  const PoseFlow longer = made(flow::insert(flow, 4, other));
   ASSERT_EQ(longer.blocks.size(), 9u);
   EXPECT_EQ(longer.blocks[4].normal, 5);
   EXPECT_EQ(longer.blocks[4].branch, 7);  // what was 5
@@ -244,7 +243,7 @@ TEST(FlowEdit, InsertsPosesOnTheNormalWay) {
   EXPECT_EQ(longer.blocks[7].normal, 8);
   EXPECT_EQ(longer.blocks[5].y, flow.blocks[4].y + 54);
   EXPECT_EQ(longer.blocks[7].y, flow.blocks[5].y + 108);
-  RunOptions options;
+  flow::RunOptions options;
   options.num_loops = 1;
   EXPECT_EQ(run_of(longer, options).num_ticks, 113u);
 }
@@ -252,7 +251,7 @@ TEST(FlowEdit, InsertsPosesOnTheNormalWay) {
 TEST(FlowEdit, InsertsAtTheEndOfWordN) {
   const PoseFlow other =
       v1r4_of({start_block(1), pose_block(4, {1, 2}, 2), pose_block(5, {3, 4}, 3), end_block()});
-  const PoseFlow longer = made(with_inserted(word_n_loop(), 3, other));
+  const PoseFlow longer = made(flow::insert(word_n_loop(), 3, other));
   ASSERT_EQ(longer.blocks.size(), 6u);
   EXPECT_EQ(longer.blocks[3].normal, 4);
   EXPECT_EQ(longer.blocks[5].normal, kNoBlock);
@@ -260,42 +259,42 @@ TEST(FlowEdit, InsertsAtTheEndOfWordN) {
 }
 
 TEST(FlowEdit, RefusesToInsertWhatDoesNotFit) {
-  EXPECT_EQ(refusal_of(with_inserted(straight(), 9, straight())),
+  EXPECT_EQ(refusal_of(flow::insert(straight(), 9, straight())),
             "error[FLW007]: expected a block below 5, found 9");
-  EXPECT_EQ(refusal_of(with_inserted(straight(), 4, straight())),
+  EXPECT_EQ(refusal_of(flow::insert(straight(), 4, straight())),
             "error[FLW007]: block 4 is an end, and nothing follows an end");
-  EXPECT_EQ(refusal_of(with_inserted(straight(), 1, v1r4_loop())),
+  EXPECT_EQ(refusal_of(flow::insert(straight(), 1, v1r4_loop())),
             "error[FLW003]: expected poses that go straight on, found that block 4 loops, branches "
             "or computes");
-  EXPECT_EQ(refusal_of(with_inserted(v1r4_loop(), 1, straight())),
+  EXPECT_EQ(refusal_of(flow::insert(v1r4_loop(), 1, straight())),
             "error[FLW006]: expected poses of 2 sliders to insert, found one that sets slider 2");
   PoseFlow limp = v1r4_of({start_block(1), pose_block(1, {1}, kNoBlock)});
   pose_of(limp.blocks[1]).servo_off[0] = true;
-  EXPECT_EQ(refusal_of(with_inserted(word_n_loop(), 1, limp)),
+  EXPECT_EQ(refusal_of(flow::insert(word_n_loop(), 1, limp)),
             "error[FLW001]: WORD_N cannot say it: an inserted pose switches servos off");
 }
 
 TEST(FlowEdit, TakesABlockOut) {
-  const PoseFlow shorter = made(without_block(v1r4_loop(), 2));
+  const PoseFlow shorter = made(flow::erase(v1r4_loop(), 2));
   ASSERT_EQ(shorter.blocks.size(), 6u);
   EXPECT_EQ(shorter.blocks[1].normal, 2);
   EXPECT_EQ(shorter.blocks[3].normal, 2);  // the loop goes to what followed
   EXPECT_EQ(shorter.blocks[3].branch, 4);
   EXPECT_EQ(run_of(shorter).num_ticks, 80u);
-  EXPECT_EQ(refusal_of(without_block(v1r4_loop(), 0)),
+  EXPECT_EQ(refusal_of(flow::erase(v1r4_loop(), 0)),
             "error[FLW007]: block 0 is the start, without which nothing runs");
-  EXPECT_EQ(refusal_of(without_block(v1r4_loop(), 7)),
+  EXPECT_EQ(refusal_of(flow::erase(v1r4_loop(), 7)),
             "error[FLW007]: expected a block below 7, found 7");
-  EXPECT_EQ(refusal_of(without_block(word_n_loop(), 2)),
+  EXPECT_EQ(refusal_of(flow::erase(word_n_loop(), 2)),
             "error[FLW007]: without block 2, pose 1 would lead to itself, which WORD_N does not "
             "allow");
-  EXPECT_EQ(made(without_block(v1r4_loop(), 6)).blocks[5].normal, kNoBlock);
+  EXPECT_EQ(made(flow::erase(v1r4_loop(), 6)).blocks[5].normal, kNoBlock);
 }
 
 TEST(FlowEdit, WhatIsInsertedCanBeTakenOutAgain) {
   const PoseFlow other = word_n_of({pose_block(1, {1, 2}, kNoBlock)});
-  const PoseFlow longer = made(with_inserted(word_n_loop(), 1, other));
-  EXPECT_EQ(made(without_block(longer, 2)), word_n_loop());
+  const PoseFlow longer = made(flow::insert(word_n_loop(), 1, other));
+  EXPECT_EQ(made(flow::erase(longer, 2)), word_n_loop());
 }
 
 }  // namespace

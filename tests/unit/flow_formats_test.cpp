@@ -8,7 +8,7 @@ namespace kinefile::test {
 namespace {
 
 PoseFlow converted(const PoseFlow& flow, FlowFormat format, Diagnostics& diagnostics) {
-  const auto made = in_flow_format(flow, format, diagnostics);
+  const auto made = flow::in_format(flow, format, diagnostics);
   EXPECT_TRUE(made) << made.error().message;
   return made ? *made : PoseFlow{};
 }
@@ -20,7 +20,7 @@ PoseFlow converted(const PoseFlow& flow, FlowFormat format) {
 
 std::string refusal_of(const PoseFlow& flow) {
   Diagnostics diagnostics;
-  const auto made = in_flow_format(flow, FlowFormat::WordN, diagnostics);
+  const auto made = flow::in_format(flow, FlowFormat::WordN, diagnostics);
   EXPECT_FALSE(made);
   if (made) return {};
   EXPECT_EQ(made.error().kind, ErrorKind::DataLoss);
@@ -30,7 +30,7 @@ std::string refusal_of(const PoseFlow& flow) {
 /// Expects that two flows do the same, for buttons held in several ways.
 void expect_same_runs(const PoseFlow& a, const PoseFlow& b) {
   for (const std::uint64_t hold : {0u, 45u, 55u, 65u, 75u, 200u}) {
-    RunOptions options;
+    flow::RunOptions options;
     options.hold_ticks = hold;
     options.max_ticks = 1000;
     EXPECT_EQ(run_of(a, options).sliders, run_of(b, options).sliders) << hold;
@@ -64,7 +64,7 @@ TEST(FlowFormats, WhatIsConvertedRunsTheSame) {
   expect_same_runs(word_n_loop(), converted(word_n_loop(), FlowFormat::V1R4));
   expect_same_runs(v1r4_loop(), converted(v1r4_loop(), FlowFormat::WordN));
   for (const std::uint64_t count : {0u, 1u, 3u}) {
-    RunOptions options;
+    flow::RunOptions options;
     options.num_loops = count;
     EXPECT_EQ(run_of(converted(word_n_loop(), FlowFormat::V1R4), options).num_ticks,
               80 + 20 * count);

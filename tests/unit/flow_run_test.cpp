@@ -9,22 +9,22 @@ namespace {
 
 using Path = std::vector<std::size_t>;
 
-RunOptions loops(std::uint64_t count) {
-  RunOptions options;
+flow::RunOptions loops(std::uint64_t count) {
+  flow::RunOptions options;
   options.num_loops = count;
   return options;
 }
 
-Error fault_of(const PoseFlow& flow, const RunOptions& options = {}) {
+Error fault_of(const PoseFlow& flow, const flow::RunOptions& options = {}) {
   Diagnostics diagnostics;
-  const auto run = run_flow(flow, options, diagnostics);
+  const auto run = flow::run(flow, options, diagnostics);
   EXPECT_FALSE(run);
   return run ? Error{} : run.error();
 }
 
-std::string noticed_by(const PoseFlow& flow, const RunOptions& options = {}) {
+std::string noticed_by(const PoseFlow& flow, const flow::RunOptions& options = {}) {
   Diagnostics diagnostics;
-  const auto run = run_flow(flow, options, diagnostics);
+  const auto run = flow::run(flow, options, diagnostics);
   EXPECT_TRUE(run);
   return text_of(diagnostics);
 }
@@ -44,10 +44,10 @@ TEST(RunFlow, LoopsOfV1R4AsTheFactsSay) {
 }
 
 TEST(RunFlow, CountsInAVariable) {
-  const FlowRun run = run_of(v1r4_counter());
+  const flow::Run run = run_of(v1r4_counter());
   EXPECT_EQ(run.num_ticks, 60u);
   EXPECT_EQ(run.variables[64], 3);
-  EXPECT_EQ(run.end, FlowEnd::EndBlock);
+  EXPECT_EQ(run.end, flow::End::EndBlock);
   EXPECT_EQ(path_of(run), (Path{0, 1, 2, 3, 4, 5, 2, 3, 4, 5, 2, 3, 4, 5, 6}));
   EXPECT_EQ(run.path[4].value, 1);
   EXPECT_FALSE(run.path[5].takes_branch);
@@ -58,7 +58,7 @@ TEST(RunFlow, CountsInAVariable) {
 
 TEST(RunFlow, GoesOnALineInWholeNumbersTowardsZero) {
   const PoseFlow flow = word_n_of({pose_block(4, {10, -10}, 1), pose_block(2, {9, 7}, kNoBlock)});
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   EXPECT_EQ(slider_of(run, 0), (std::vector<int>{0, 2, 5, 7, 10, 10, 9}));
   EXPECT_EQ(slider_of(run, 1), (std::vector<int>{0, -2, -5, -7, -10, -2, 7}));
 }
@@ -74,12 +74,12 @@ TEST(RunFlow, CrossesTheWholeRangeWithoutWrapping) {
 TEST(RunFlow, SlidersThatJumpDoAtTheFirstTick) {
   std::vector<int> values(41, 90);
   const PoseFlow flow = word_n_of({pose_block(3, values, kNoBlock)});
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   for (const std::size_t slider : {30u, 37u, 40u}) EXPECT_EQ(run.sliders[41 + slider], 90);
   for (const std::size_t slider : {0u, 29u, 31u, 36u}) EXPECT_EQ(run.sliders[41 + slider], 30);
-  RunOptions options;
+  flow::RunOptions options;
   options.jumps = {true};
-  const FlowRun other = run_of(flow, options);
+  const flow::Run other = run_of(flow, options);
   EXPECT_EQ(other.sliders[41 + 0], 90);
   EXPECT_EQ(other.sliders[41 + 30], 30);
 }
@@ -87,17 +87,17 @@ TEST(RunFlow, SlidersThatJumpDoAtTheFirstTick) {
 TEST(RunFlow, DisabledWordsTakeTheBasePoseOrWhatIsAskedFor) {
   PoseFlow flow = word_n_of({pose_block(1, {500}, 1), pose_block(1, {70}, kNoBlock)});
   pose_of(flow.blocks[1]).words[0].is_enabled = false;
-  RunOptions options;
+  flow::RunOptions options;
   options.base_pose = {-9};
   EXPECT_EQ(slider_of(run_of(flow, options), 0), (std::vector<int>{-9, 500, -9}));
-  options.disabled = DisabledWords::Keep;
+  options.disabled = flow::DisabledWords::Keep;
   EXPECT_EQ(slider_of(run_of(flow, options), 0), (std::vector<int>{-9, 500, 500}));
-  options.disabled = DisabledWords::File;
+  options.disabled = flow::DisabledWords::File;
   EXPECT_EQ(slider_of(run_of(flow, options), 0), (std::vector<int>{-9, 500, 70}));
 }
 
 TEST(RunFlow, AButtonIsHeldForAWhile) {
-  RunOptions options = loops(5);
+  flow::RunOptions options = loops(5);
   options.hold_ticks = 60;  // pose 2 is done at 60, when it is released
   EXPECT_EQ(run_of(v1r4_loop(), options).num_ticks, 90u);
   options.hold_ticks = 61;
@@ -105,11 +105,11 @@ TEST(RunFlow, AButtonIsHeldForAWhile) {
 }
 
 TEST(RunFlow, InputsStandInsteadOfLoops) {
-  RunOptions options = loops(100);
+  flow::RunOptions options = loops(100);
   options.inputs = {{0, true, {}}, {85, false, {}}};
   EXPECT_EQ(run_of(v1r4_loop(), options).num_ticks, 130u);
   options.inputs = {{0, std::nullopt, {{64, 7}}}, {20, false, {}}};
-  const FlowRun run = run_of(v1r4_loop(), options);
+  const flow::Run run = run_of(v1r4_loop(), options);
   EXPECT_EQ(run.num_ticks, 90u);
   EXPECT_EQ(run.variables[64], 7);
 }
@@ -117,7 +117,7 @@ TEST(RunFlow, InputsStandInsteadOfLoops) {
 TEST(RunFlow, ASensorDecidesAtTheTickWhenABlockAsks) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(10, {1}, 2),
                                  branch_block(139, Condition::AtLeast, 100, 1, 3), end_block()});
-  RunOptions options;
+  flow::RunOptions options;
   options.inputs = {{20, std::nullopt, {{139, 100}}}};
   EXPECT_EQ(run_of(flow, options).num_ticks, 20u);
   options.inputs = {{21, std::nullopt, {{139, 100}}}};
@@ -135,7 +135,7 @@ TEST(RunFlow, KnowsEveryCondition) {
   const auto is_true = [](Condition condition, int detail, std::int16_t value) {
     const PoseFlow flow = v1r4_of(
         {start_block(1), branch_block(64, condition, detail, 2, 3), end_block(), end_block()});
-    RunOptions options;
+    flow::RunOptions options;
     options.variables = {{64, value}};
     return path_of(run_of(flow, options)).back() == 3;
   };
@@ -159,7 +159,7 @@ TEST(RunFlow, KnowsEveryCondition) {
 }
 
 TEST(RunFlow, BranchesTheOtherWayIfAskedTo) {
-  RunOptions options;
+  flow::RunOptions options;
   options.true_takes_branch = false;
   EXPECT_EQ(run_of(v1r4_counter(), options).num_ticks, 20u);
 }
@@ -167,7 +167,7 @@ TEST(RunFlow, BranchesTheOtherWayIfAskedTo) {
 std::int16_t computed(Arithmetic operation, int constant, std::int16_t value) {
   const PoseFlow flow =
       v1r4_of({start_block(1), constant_block(70, operation, constant, 2), end_block()});
-  RunOptions options;
+  flow::RunOptions options;
   options.variables = {{70, value}};
   return run_of(flow, options).variables[70];
 }
@@ -187,7 +187,7 @@ TEST(RunFlow, ComputesInSixteenBits) {
 TEST(RunFlow, ComputesWithVariables) {
   const PoseFlow flow = v1r4_of({start_block(1), variable_block(70, Arithmetic::Subtract, 71, 2),
                                  variable_block(70, Arithmetic::Multiply, 70, 3), end_block()});
-  RunOptions options;
+  flow::RunOptions options;
   options.variables = {{70, 5}, {71, 8}};
   EXPECT_EQ(run_of(flow, options).variables[70], 9);
 }
@@ -203,7 +203,7 @@ TEST(RunFlow, WarnsOfAnOverflowOncePerBlock) {
 TEST(RunFlow, RefusesToDivideByZeroUnlessAskedTo) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(3, {0}, 2),
                                  variable_block(70, Arithmetic::Divide, 71, 3), end_block()});
-  RunOptions options;
+  flow::RunOptions options;
   options.variables = {{70, 5}};
   const Error fault = fault_of(flow, options);
   EXPECT_EQ(to_string(fault),
@@ -220,7 +220,7 @@ TEST(RunFlow, SlidersAreVariables) {
   const PoseFlow flow =
       v1r4_of({start_block(1), pose_block(2, {100}, 2), constant_block(0, Arithmetic::Add, 50, 3),
                variable_block(64, Arithmetic::Assign, 0, 4), pose_block(2, {250}, 5), end_block()});
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   EXPECT_EQ(slider_of(run, 0), (std::vector<int>{0, 50, 100, 200, 250}));
   EXPECT_EQ(run.variables[64], 150);
 }
@@ -233,7 +233,7 @@ TEST(RunFlow, TellsSoundsAndServosWhenAPoseBegins) {
   pose_of(flow.blocks[2]).servo_off[29] = true;
   pose_of(flow.blocks[3]).servo_off = pose_of(flow.blocks[2]).servo_off;
   pose_of(flow.blocks[3]).sound = "clap.wav";
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   ASSERT_EQ(run.events.size(), 2u);
   EXPECT_EQ(run.events[0].tick, 5u);
   EXPECT_EQ(run.events[0].block, 2u);
@@ -250,7 +250,7 @@ TEST(RunFlow, TellsSoundsAndServosWhenAPoseBegins) {
 TEST(RunFlow, ArithmeticSwitchesServos) {
   const PoseFlow flow =
       v1r4_of({start_block(1), constant_block(62, Arithmetic::Assign, -32768, 2), end_block()});
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   ASSERT_EQ(run.events.size(), 1u);
   EXPECT_TRUE(run.events[0].changes_servos);
   EXPECT_EQ(run.events[0].servo_off.to_ulong(), 0x8000u);
@@ -258,31 +258,31 @@ TEST(RunFlow, ArithmeticSwitchesServos) {
 
 TEST(RunFlow, TheLastTwoSlidersOfWordNAreNoServoBits) {
   const PoseFlow flow = word_n_of({pose_block(2, std::vector<int>(64, 8), kNoBlock)});
-  const FlowRun run = run_of(flow);
+  const flow::Run run = run_of(flow);
   EXPECT_TRUE(run.events.empty());
   EXPECT_EQ(slider_of(run, 63), (std::vector<int>{0, 4, 8}));
 }
 
 TEST(RunFlow, StopsWhereAnArrowLeadsNowhere) {
   const PoseFlow flow = v1r4_of({start_block(1), pose_block(2, {0}, 2), loop_block(1, kNoBlock)});
-  EXPECT_EQ(run_of(flow).end, FlowEnd::NoArrow);
+  EXPECT_EQ(run_of(flow).end, flow::End::NoArrow);
   EXPECT_EQ(noticed_by(flow),
             ":30:1: note[RUN005]: the flow stops at block 2, whose branch arrow leads nowhere\n");
-  EXPECT_EQ(run_of(word_n_loop()).end, FlowEnd::EndBlock);
+  EXPECT_EQ(run_of(word_n_loop()).end, flow::End::EndBlock);
 }
 
 TEST(RunFlow, StopsAtTheLimitOfTime) {
   const PoseFlow flow = word_n_of({pose_block(10, {100}, 1), pose_block(10, {0}, 0)});
-  RunOptions options;
+  flow::RunOptions options;
   options.max_ticks = 25;
-  const FlowRun run = run_of(flow, options);
+  const flow::Run run = run_of(flow, options);
   EXPECT_EQ(run.num_ticks, 25u);
   EXPECT_EQ(run.sliders.size(), 26u);
-  EXPECT_EQ(run.end, FlowEnd::MaxTicks);
+  EXPECT_EQ(run.end, flow::End::MaxTicks);
   EXPECT_EQ(noticed_by(flow, options),
             ":10:1: warning[RUN006]: the flow is cut off in block 0 after 25 ticks, the limit\n");
   options.max_ticks = 80;
-  EXPECT_EQ(run_of(word_n_loop(), options).end, FlowEnd::EndBlock);
+  EXPECT_EQ(run_of(word_n_loop(), options).end, flow::End::EndBlock);
   options.max_ticks = 0;
   EXPECT_EQ(run_of(flow, options).sliders.size(), 1u);
 }
@@ -313,8 +313,8 @@ TEST(RunFlow, NeedsABeginning) {
 
 TEST(RunFlow, LeavesTheFlowAsItIsAndIsTheSameAgain) {
   const PoseFlow flow = v1r4_loop();
-  const FlowRun first = run_of(flow, loops(2));
-  const FlowRun second = run_of(flow, loops(2));
+  const flow::Run first = run_of(flow, loops(2));
+  const flow::Run second = run_of(flow, loops(2));
   EXPECT_EQ(flow, v1r4_loop());
   EXPECT_EQ(first.sliders, second.sliders);
 }
@@ -324,7 +324,7 @@ TEST(RunFlow, TakesBasePoseAndJumpsFromAProject) {
   project.sliders.resize(3);
   project.sliders[2].jumps = true;
   project.base_poses = {{"stand", {1, 2, 3}, {}}};
-  const RunOptions options = run_options_of(project);
+  const flow::RunOptions options = flow::run_options_of(project);
   EXPECT_EQ(options.base_pose, (std::vector<std::int16_t>{1, 2, 3}));
   EXPECT_EQ(options.jumps, (std::vector<bool>{false, false, true}));
 }

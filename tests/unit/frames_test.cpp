@@ -13,7 +13,7 @@ namespace {
 
 Motion upwards(const Motion& motion, std::size_t axis) {
   Diagnostics diagnostics;
-  Motion result = with_up_axis(motion, axis, diagnostics);
+  Motion result = edit::up(motion, axis, diagnostics);
   EXPECT_EQ(test::text_of(diagnostics), "");
   EXPECT_TRUE(validate(result.skeleton));
   return result;
@@ -102,7 +102,7 @@ TEST(WithUpAxis, TurnsEveryWayToMove) {
 TEST(WithUpAxis, NotesThatTheAxisPointsUpAlready) {
   const Motion walk = examples::make_walk({.num_frames = 20});
   Diagnostics diagnostics;
-  EXPECT_EQ(with_up_axis(walk, 1, diagnostics).clip.values, walk.clip.values);
+  EXPECT_EQ(edit::up(walk, 1, diagnostics).clip.values, walk.clip.values);
   EXPECT_EQ(test::text_of(diagnostics), "note[EDT009]: y points up already\n");
 }
 
@@ -127,7 +127,7 @@ TEST(GuessUpAxis, IsYInDoubt) {
 
 TEST(Scaled, MultipliesEveryPlace) {
   for (const Motion& motion : {examples::make_walk({.num_frames = 5}), odd_figure()}) {
-    const Motion twice = scaled(motion, 2);
+    const Motion twice = edit::scale(motion, 2);
     const WorldPoses before = placed(motion);
     const WorldPoses after = placed(twice);
     for (std::size_t i = 0; i < before.positions.size(); ++i) {
@@ -136,13 +136,13 @@ TEST(Scaled, MultipliesEveryPlace) {
     for (std::size_t i = 0; i < before.tips.size(); ++i) {
       EXPECT_EQ(after.tips[i], 2 * before.tips[i]);
     }
-    EXPECT_EQ(scaled(twice, 0.5).clip.values, motion.clip.values);
+    EXPECT_EQ(edit::scale(twice, 0.5).clip.values, motion.clip.values);
   }
 }
 
 TEST(InPlace, KeepsTheRootOverItsStart) {
   const Motion walk = examples::make_walk({.num_frames = 30});
-  const Motion there = in_place(walk);
+  const Motion there = edit::in_place(walk);
   for (std::size_t f = 0; f < 30; ++f) {
     EXPECT_EQ(there.clip.row(f)[0], walk.clip.row(0)[0]);
     EXPECT_EQ(there.clip.row(f)[1], walk.clip.row(f)[1]);
@@ -153,14 +153,14 @@ TEST(InPlace, KeepsTheRootOverItsStart) {
 
 TEST(InPlace, HoldsFreeRootsAndTurnedOnes) {
   Motion figure = odd_figure();
-  EXPECT_EQ(in_place(figure).clip.row(1)[2], 3);
+  EXPECT_EQ(edit::in_place(figure).clip.row(1)[2], 3);
   Joint& root = figure.skeleton.joints[0];
   root.dofs = {{DofKind::Translation, Vec3(0, 0.6, 0.8), 0, 0},
                {DofKind::Translation, Vec3(0, 0.8, -0.6), 1, 0}};
   const WorldPoses before = placed(figure);
   figure.clip.row(1)[0] = 5;
   const double height = placed(figure).positions[9 + 1];
-  const WorldPoses after = placed(in_place(figure));
+  const WorldPoses after = placed(edit::in_place(figure));
   EXPECT_NEAR(after.positions[9 + 2], before.positions[2], 1e-12);
   EXPECT_NEAR(after.positions[9 + 1], height, 1e-12);
 }
@@ -169,14 +169,14 @@ TEST(InPlace, LeavesARootThatCannotSlide) {
   Motion motion;
   motion.skeleton.joints.resize(1);
   motion.clip.num_frames = 2;
-  EXPECT_EQ(in_place(motion).clip.num_frames, 2u);
+  EXPECT_EQ(edit::in_place(motion).clip.num_frames, 2u);
 }
 
 TEST(InPlace, PassesOverNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 3});
   const double start = walk.clip.row(1)[2];
   walk.clip.row(0)[2] = std::nan("");
-  const Motion there = in_place(walk);
+  const Motion there = edit::in_place(walk);
   EXPECT_TRUE(std::isnan(there.clip.row(0)[2]));
   EXPECT_EQ(there.clip.row(2)[2], start);
 }

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own for each test, gone afterwards.
-class Io : public testing::Test {
+class Disk : public testing::Test {
  protected:
   void SetUp() override {
     std::string name = fs::temp_directory_path() / "kinefile-test.XXXXXX";
@@ -36,14 +36,14 @@ class Io : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Io, ReadsBytes) {
+TEST_F(Disk, ReadsBytes) {
   put("a", "hello");
   EXPECT_EQ(FileBytes::open(path("a"))->view(), "hello");
   put("empty", "");
   EXPECT_EQ(FileBytes::open(path("empty"))->view(), "");
 }
 
-TEST_F(Io, SaysWhyAFileCannotBeRead) {
+TEST_F(Disk, SaysWhyAFileCannotBeRead) {
   const auto missing = FileBytes::open(path("none"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, "IO001");
@@ -51,7 +51,7 @@ TEST_F(Io, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(missing.error().message, "cannot read: No such file or directory");
 }
 
-TEST_F(Io, AFileAppearsWholeOrNotAtAll) {
+TEST_F(Disk, AFileAppearsWholeOrNotAtAll) {
   {
     auto file = OutputFile::create(path("a"), false);
     ASSERT_TRUE(file);
@@ -65,7 +65,7 @@ TEST_F(Io, AFileAppearsWholeOrNotAtAll) {
   EXPECT_EQ(test::bytes_of(path("a")), "whole");
 }
 
-TEST_F(Io, AnExistingFileIsReplacedOnlyOnRequest) {
+TEST_F(Disk, AnExistingFileIsReplacedOnlyOnRequest) {
   put("a", "old");
   const auto refused = OutputFile::create(path("a"), false);
   ASSERT_FALSE(refused);
@@ -77,7 +77,7 @@ TEST_F(Io, AnExistingFileIsReplacedOnlyOnRequest) {
   EXPECT_EQ(test::bytes_of(path("a")), "new");
 }
 
-TEST_F(Io, AFileThatAppearsMeanwhileIsNotReplaced) {
+TEST_F(Disk, AFileThatAppearsMeanwhileIsNotReplaced) {
   {
     auto file = OutputFile::create(path("a"), false);
     ASSERT_TRUE(file->write("ours"));
@@ -88,7 +88,7 @@ TEST_F(Io, AFileThatAppearsMeanwhileIsNotReplaced) {
   EXPECT_EQ(num_files(), 1u);
 }
 
-TEST_F(Io, ALinkStaysALink) {
+TEST_F(Disk, ALinkStaysALink) {
   put("target", "old");
   fs::create_symlink(path("target"), path("link"));
   auto file = OutputFile::create(path("link"), true);
@@ -98,7 +98,7 @@ TEST_F(Io, ALinkStaysALink) {
   EXPECT_EQ(test::bytes_of(path("target")), "new");
 }
 
-TEST_F(Io, AReplacedFileKeepsItsRights) {
+TEST_F(Disk, AReplacedFileKeepsItsRights) {
   put("a", "old");
   chmod(path("a").c_str(), 0640);
   auto file = OutputFile::create(path("a"), true);
@@ -106,13 +106,13 @@ TEST_F(Io, AReplacedFileKeepsItsRights) {
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0640));
 }
 
-TEST_F(Io, SaysWhyAFileCannotBeWritten) {
+TEST_F(Disk, SaysWhyAFileCannotBeWritten) {
   const auto file = OutputFile::create(path("none/a"), false);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, "IO003");
 }
 
-TEST_F(Io, AFullDiskIsAnError) {
+TEST_F(Disk, AFullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   auto file = OutputFile::create("/dev/full", false);
   ASSERT_TRUE(file);
@@ -120,7 +120,7 @@ TEST_F(Io, AFullDiskIsAnError) {
   EXPECT_FALSE(file->commit());
 }
 
-TEST_F(Io, FindsTheFormatByContentThenByName) {
+TEST_F(Disk, FindsTheFormatByContentThenByName) {
   const std::string bvh = test::bvh_with_rows({"0 0 0 0 0 0 0 0 0"});
   put("walk.txt", bvh);
   Diagnostics diagnostics;
@@ -139,7 +139,7 @@ TEST_F(Io, FindsTheFormatByContentThenByName) {
       "json is only written, not read; what is read: bvh, asf, amc"));
 }
 
-TEST_F(Io, RefusedDocumentsLeaveNoFile) {
+TEST_F(Disk, RefusedDocumentsLeaveNoFile) {
   Document document;
   document.content = Skeleton{};
   Diagnostics diagnostics;

@@ -11,7 +11,7 @@ namespace {
 
 Motion with(const Motion& motion, const std::vector<std::string>& names) {
   Diagnostics diagnostics;
-  auto result = with_joints(motion, names, diagnostics);
+  auto result = edit::joints(motion, names, diagnostics);
   EXPECT_TRUE(result) << to_string(result.error());
   EXPECT_EQ(test::text_of(diagnostics), "");
   EXPECT_TRUE(validate(result->skeleton));
@@ -60,7 +60,7 @@ TEST(WithJoints, WarnsOfAChildThatMoved) {
   const Motion slide = test::motion_of(std::string(kSlide) + "5\n6\n");
   Diagnostics diagnostics;
   const std::vector<std::string> names = {"r"};
-  const auto part = with_joints(slide, names, diagnostics);
+  const auto part = edit::joints(slide, names, diagnostics);
   EXPECT_EQ(test::text_of(diagnostics),
             "warning[EDT010]: joint 'a' moves on 'r', which gets a tip where it rests\n");
   EXPECT_EQ(part->skeleton.joints[0].tips[0].offset, Vec3(1, 2, 3));
@@ -84,7 +84,7 @@ TEST(WithJoints, TakesAllOfAName) {
 TEST(WithJoints, RefusesAnUnknownName) {
   Diagnostics diagnostics;
   const std::vector<std::string> names = {"Head", "Nose"};
-  const auto refused = with_joints(examples::make_walk({.num_frames = 1}), names, diagnostics);
+  const auto refused = edit::joints(examples::make_walk({.num_frames = 1}), names, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT006");
   EXPECT_EQ(refused.error().message, "there is no joint 'Nose'");
@@ -103,7 +103,7 @@ Document walk_document() {
 
 TEST(RenameJoint, RenamesInTheSkeletonAndTheExtras) {
   Document document = walk_document();
-  ASSERT_TRUE(rename_joint(document, "Head", "head"));
+  ASSERT_TRUE(edit::rename(document, "Head", "head"));
   EXPECT_EQ(skeleton_of(document).joints[5].name, "head");
   EXPECT_EQ(document.extras.joints["head"]["id"], "7");
   EXPECT_EQ(document.extras.joints.count("Head"), 0u);
@@ -112,17 +112,17 @@ TEST(RenameJoint, RenamesInTheSkeletonAndTheExtras) {
 TEST(RenameJoint, WorksOnASkeletonAlone) {
   Document document;
   document.content = examples::make_walk({.num_frames = 1}).skeleton;
-  ASSERT_TRUE(rename_joint(document, "Hips", "Pelvis"));
+  ASSERT_TRUE(edit::rename(document, "Hips", "Pelvis"));
   EXPECT_EQ(skeleton_of(document).joints[0].name, "Pelvis");
 }
 
 TEST(RenameJoint, RefusesNamesThatAreNotThereOrTaken) {
   Document document = walk_document();
-  EXPECT_EQ(rename_joint(document, "Nose", "nose").error().message, "there is no joint 'Nose'");
-  EXPECT_EQ(rename_joint(document, "Head", "Neck").error().message,
+  EXPECT_EQ(edit::rename(document, "Nose", "nose").error().message, "there is no joint 'Nose'");
+  EXPECT_EQ(edit::rename(document, "Head", "Neck").error().message,
             "there is a joint 'Neck' already");
-  EXPECT_EQ(rename_joint(document, "Head", "").error().message, "a joint needs a name");
-  EXPECT_TRUE(rename_joint(document, "Head", "Head"));
+  EXPECT_EQ(edit::rename(document, "Head", "").error().message, "a joint needs a name");
+  EXPECT_TRUE(edit::rename(document, "Head", "Head"));
 }
 
 }  // namespace

@@ -11,26 +11,28 @@ namespace {
 
 using Ticks = std::vector<std::size_t>;
 
-Result<Keyframes> with_tolerance(const JointTrajectory& trajectory, const ServoMap& map,
-                                 double tolerance, FlowFormat format = FlowFormat::V1R4) {
+Result<servo::Keyframes> with_tolerance(const servo::JointTrajectory& trajectory,
+                                        const ServoMap& map, double tolerance,
+                                        FlowFormat format = FlowFormat::V1R4) {
   Diagnostics diagnostics;
-  return keyframe(trajectory, map, {.num_poses = {}, .tolerance = tolerance, .format = format},
-                  diagnostics);
+  return servo::keyframe(trajectory, map,
+                         {.num_poses = {}, .tolerance = tolerance, .format = format}, diagnostics);
 }
 
-Result<Keyframes> with_poses(const JointTrajectory& trajectory, const ServoMap& map,
-                             std::size_t num_poses) {
+Result<servo::Keyframes> with_poses(const servo::JointTrajectory& trajectory, const ServoMap& map,
+                                    std::size_t num_poses) {
   Diagnostics diagnostics;
-  return keyframe(trajectory, map, {.num_poses = num_poses, .tolerance = {}}, diagnostics);
+  return servo::keyframe(trajectory, map, {.num_poses = num_poses, .tolerance = {}}, diagnostics);
 }
 
 const PoseBlock& pose_of(const PoseFlow& flow, std::size_t block) {
   return std::get<PoseBlock>(flow.blocks.at(block).body);
 }
 
-double largest_error(const Keyframes& keyframes) {
+double largest_error(const servo::Keyframes& keyframes) {
   double largest = 0;
-  for (const KeyframeError& error : keyframes.errors) largest = std::max(largest, error.largest);
+  for (const servo::KeyframeError& error : keyframes.errors)
+    largest = std::max(largest, error.largest);
   return largest;
 }
 
@@ -108,7 +110,7 @@ TEST(Keyframe, OneFrameIsOnePose) {
 }
 
 TEST(Keyframe, TheLastFrameIsShownAtTheTickAfterIt) {
-  JointTrajectory trajectory = trajectory_of_degrees({0, 10, 20});
+  servo::JointTrajectory trajectory = trajectory_of_degrees({0, 10, 20});
   trajectory.frame_time = 0.04;  // 4.8 ticks in all
   const auto made = with_tolerance(trajectory, map_of_joints(1), 1);
   ASSERT_TRUE(made);
@@ -117,7 +119,7 @@ TEST(Keyframe, TheLastFrameIsShownAtTheTickAfterIt) {
 }
 
 TEST(Keyframe, BetweenFramesTheTrajectoryIsALine) {
-  JointTrajectory trajectory = trajectory_of_degrees({0, 12});
+  servo::JointTrajectory trajectory = trajectory_of_degrees({0, 12});
   trajectory.frame_time = 0.1;
   const auto made = with_tolerance(trajectory, map_of_joints(1), 0);
   ASSERT_TRUE(made);
@@ -150,8 +152,8 @@ TEST(Keyframe, AnglesBeyondTheLimitsAreTold) {
   ServoMap map = map_of_joints(1);
   map.entries[0].maximum = 200;
   Diagnostics diagnostics;
-  const auto made =
-      keyframe(trajectory_of_degrees(kTent), map, {.num_poses = 4, .tolerance = {}}, diagnostics);
+  const auto made = servo::keyframe(trajectory_of_degrees(kTent), map,
+                                    {.num_poses = 4, .tolerance = {}}, diagnostics);
   ASSERT_TRUE(made);
   EXPECT_EQ(text_of(diagnostics),
             "warning[KEY003]: joint 'j0' goes beyond the limits of slider 0: up to 1 degrees are "
@@ -163,7 +165,7 @@ TEST(Keyframe, AnglesBeyondTheLimitsAreTold) {
 TEST(Keyframe, WhatLimitsCutOffDoesNotSpoilTheRest) {
   ServoMap map = map_of_joints(2);
   map.entries[1].maximum = 0;
-  JointTrajectory trajectory = trajectory_of_degrees({});
+  servo::JointTrajectory trajectory = trajectory_of_degrees({});
   trajectory.joints = {"j0", "j1"};
   for (const double degrees : kTent) {
     trajectory.angles.insert(trajectory.angles.end(),
@@ -203,10 +205,10 @@ TEST(Keyframe, InnerWordsNeedNotBeOnSteps) {
 
 TEST(Keyframe, ToleranceOrNumberOfPosesAndNotBoth) {
   Diagnostics diagnostics;
-  const JointTrajectory trajectory = trajectory_of_degrees(kTent);
+  const servo::JointTrajectory trajectory = trajectory_of_degrees(kTent);
   const ServoMap map = map_of_joints(1);
-  const auto code = [&](const KeyframeOptions& options) {
-    const auto made = keyframe(trajectory, map, options, diagnostics);
+  const auto code = [&](const servo::KeyframeOptions& options) {
+    const auto made = servo::keyframe(trajectory, map, options, diagnostics);
     return made ? std::string() : made.error().code + " " + made.error().message;
   };
   EXPECT_EQ(code({}), "KEY001 expected either a number of poses or a tolerance");
@@ -222,29 +224,31 @@ TEST(Keyframe, ToleranceOrNumberOfPosesAndNotBoth) {
             "KEY001 expected at least 2 poses, since none takes longer than 239 ticks, found 1");
   ServoMap wide = map;
   wide.num_sliders = 64;
-  EXPECT_EQ(keyframe(trajectory, wide, {.num_poses = 3, .tolerance = {}}, diagnostics).error().code,
+  EXPECT_EQ(servo::keyframe(trajectory, wide, {.num_poses = 3, .tolerance = {}}, diagnostics)
+                .error()
+                .code,
             "KEY001");
 }
 
 TEST(Keyframe, WhatIsNoTrajectoryIsRefused) {
   const ServoMap map = map_of_joints(1);
-  const auto code = [&](const JointTrajectory& trajectory) {
+  const auto code = [&](const servo::JointTrajectory& trajectory) {
     const auto made = with_tolerance(trajectory, map, 1);
     return made ? std::string() : made.error().code;
   };
-  JointTrajectory none;
+  servo::JointTrajectory none;
   EXPECT_EQ(code(none), "SVM010");
   EXPECT_EQ(code(trajectory_of_degrees({})), "KEY001");
   EXPECT_EQ(code(trajectory_of_degrees({0, std::nan("")})), "KEY004");
   EXPECT_EQ(code(trajectory_of_degrees({0, INFINITY})), "KEY004");
-  JointTrajectory odd = trajectory_of_degrees({0, 1});
+  servo::JointTrajectory odd = trajectory_of_degrees({0, 1});
   odd.frame_time = std::nan("");
   EXPECT_EQ(code(odd), "KEY004");
   odd.frame_time = -1;
   EXPECT_EQ(code(odd), "KEY004");
   odd.frame_time = 1e300;
   EXPECT_EQ(code(odd), "KEY001");
-  JointTrajectory unknown = trajectory_of_degrees({0, 1});
+  servo::JointTrajectory unknown = trajectory_of_degrees({0, 1});
   unknown.joints[0] = "tail";
   EXPECT_EQ(code(unknown), "SVM010");
 }
@@ -252,10 +256,11 @@ TEST(Keyframe, WhatIsNoTrajectoryIsRefused) {
 TEST(Keyframe, TheFlowRunsThroughTheTrajectory) {
   Diagnostics diagnostics;
   const ServoMap map = map_of_joints(1);
-  const auto made = keyframe(trajectory_of_degrees(kTent), map,
-                             {.num_poses = {}, .tolerance = 0, .lead_in_ticks = 5}, diagnostics);
+  const auto made =
+      servo::keyframe(trajectory_of_degrees(kTent), map,
+                      {.num_poses = {}, .tolerance = 0, .lead_in_ticks = 5}, diagnostics);
   ASSERT_TRUE(made);
-  const auto run = run_flow(made->flow, {}, diagnostics);
+  const auto run = flow::run(made->flow, {}, diagnostics);
   ASSERT_TRUE(run);
   EXPECT_EQ(run->num_ticks, 5u + 9u);
   for (std::size_t tick = 0; tick < kTent.size(); ++tick) {
@@ -266,7 +271,7 @@ TEST(Keyframe, TheFlowRunsThroughTheTrajectory) {
 TEST(Keyframe, FewestPosesAsAllSubsetsSay) {
   for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     const ServoMap map = map_of_joints(1 + seed % 3, seed % 2 == 0 ? 1 : 128);
-    const JointTrajectory trajectory = swinging(map.entries.size(), 12, seed);
+    const servo::JointTrajectory trajectory = swinging(map.entries.size(), 12, seed);
     for (const double tolerance : {0.05, 0.3, 0.7, 1.5, 4.0}) {
       std::size_t fewest = 1000;
       double least = INFINITY;
@@ -288,7 +293,7 @@ TEST(Keyframe, FewestPosesAsAllSubsetsSay) {
 TEST(Keyframe, LeastErrorAsAllSubsetsSay) {
   for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     const ServoMap map = map_of_joints(1 + seed % 3, seed % 2 == 0 ? 1 : 128);
-    const JointTrajectory trajectory = swinging(map.entries.size(), 12, seed);
+    const servo::JointTrajectory trajectory = swinging(map.entries.size(), 12, seed);
     std::vector<double> least(13, INFINITY);
     for (const Ticks& ticks : all_paths(11)) {
       double& own = least[ticks.size()];
@@ -308,7 +313,7 @@ TEST(Keyframe, LeastErrorAsAllSubsetsSay) {
 TEST(Keyframe, NeverWorseThanGreedyReduction) {
   for (std::uint32_t seed = 1; seed <= 2; ++seed) {
     const ServoMap map = map_of_joints(3, seed % 2 == 0 ? 1 : 128);
-    const JointTrajectory trajectory = swinging(3, 250, seed);
+    const servo::JointTrajectory trajectory = swinging(3, 250, seed);
     for (const std::size_t num_poses : {6u, 20u}) {
       const auto made = with_poses(trajectory, map, num_poses);
       ASSERT_TRUE(made);
@@ -327,11 +332,11 @@ TEST(Keyframe, NeverWorseThanGreedyReduction) {
 
 TEST(Keyframe, ErrorsAreThoseOfTheDefinition) {
   const ServoMap map = map_of_joints(3, 128);
-  const JointTrajectory trajectory = swinging(3, 200, 7);
+  const servo::JointTrajectory trajectory = swinging(3, 200, 7);
   const auto made = with_poses(trajectory, map, 8);
   ASSERT_TRUE(made);
   EXPECT_NEAR(largest_error(*made), error_of_ticks(trajectory, map, made->ticks), 1e-12);
-  for (const KeyframeError& error : made->errors) {
+  for (const servo::KeyframeError& error : made->errors) {
     EXPECT_GT(error.rms, 0);
     EXPECT_LE(error.rms, error.largest);
   }

@@ -15,7 +15,7 @@ namespace {
 
 Motion in_mirror(const Motion& motion, std::size_t axis = 0) {
   Diagnostics diagnostics;
-  auto result = mirrored(motion, axis, false, diagnostics);
+  auto result = edit::mirror(motion, axis, false, diagnostics);
   EXPECT_TRUE(result) << to_string(result.error());
   EXPECT_EQ(test::text_of(diagnostics), "");
   return result ? std::move(*result) : Motion{};
@@ -114,13 +114,13 @@ TEST(Mirrored, PairsRepeatedNamesInTheirOrder) {
 TEST(Mirrored, RefusesAJointWithoutOtherHalf) {
   const Motion odd = star({{"LeftArm", {3, 0, 0}}, {"tail", {2, 0, 0}}});
   Diagnostics diagnostics;
-  const auto refused = mirrored(odd, 0, false, diagnostics);
+  const auto refused = edit::mirror(odd, 0, false, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT004");
   EXPECT_EQ(refused.error().message,
             "joint 'LeftArm' has no other half, by name or by where it lies, and does not lie in "
             "the plane of the mirror");
-  const auto image = mirrored(odd, 0, true, diagnostics);
+  const auto image = edit::mirror(odd, 0, true, diagnostics);
   ASSERT_TRUE(image);
   EXPECT_EQ(test::codes_of(diagnostics), (std::vector<std::string>{"EDT004", "EDT004"}));
   EXPECT_EQ(image->clip.row(0)[6], -odd.clip.row(0)[6]);
@@ -158,7 +158,7 @@ TEST(Mirrored, RefusesAHalfThatCannotMoveSo) {
   text.replace(text.find("3 Xrotation Yrotation Zrotation"), 31, "1 Xrotation");
   for (const char* rest : {" 50 60", " 30 20", " 20 10"}) text.erase(text.find(rest), 6);
   Diagnostics diagnostics;
-  const auto refused = mirrored(test::motion_of(text), 0, false, diagnostics);
+  const auto refused = edit::mirror(test::motion_of(text), 0, false, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "joint 'Right' cannot move as 'Left' does in the mirror");
 }
@@ -271,10 +271,11 @@ TEST(Mirrored, NeedsNoFramesAndNoColumns) {
 }
 
 TEST(GuessMirrorAxis, IsWhereTheNamedHalvesLieApart) {
-  EXPECT_EQ(guess_mirror_axis(examples::make_walk({.num_frames = 1}).skeleton), 0u);
-  EXPECT_EQ(guess_mirror_axis(star({{"left", {0, 1, 4}}, {"right", {0, 0, -4}}}).skeleton), 2u);
-  EXPECT_EQ(guess_mirror_axis(star({{"a", {0, 1, 4}}, {"b", {0, 0, -4}}}).skeleton), 0u);
-  EXPECT_EQ(guess_mirror_axis(Skeleton{}), 0u);
+  EXPECT_EQ(edit::guess_mirror_axis(examples::make_walk({.num_frames = 1}).skeleton), 0u);
+  EXPECT_EQ(edit::guess_mirror_axis(star({{"left", {0, 1, 4}}, {"right", {0, 0, -4}}}).skeleton),
+            2u);
+  EXPECT_EQ(edit::guess_mirror_axis(star({{"a", {0, 1, 4}}, {"b", {0, 0, -4}}}).skeleton), 0u);
+  EXPECT_EQ(edit::guess_mirror_axis(Skeleton{}), 0u);
 }
 
 }  // namespace

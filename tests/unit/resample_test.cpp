@@ -23,12 +23,12 @@ double nominal(double frame_time) {
   return nominal_frame_rate({Timeline::Given::FrameTime, frame_time, 0, {}});
 }
 
-std::vector<double> frames_of(const Result<TimeMap>& map) {
+std::vector<double> frames_of(const Result<retime::TimeMap>& map) {
   EXPECT_TRUE(map) << to_string(map.error());
   return map ? map->old_frames : std::vector<double>{};
 }
 
-void expect_fault(const Result<TimeMap>& map) {
+void expect_fault(const Result<retime::TimeMap>& map) {
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, "RTM002");
   EXPECT_EQ(map.error().kind, ErrorKind::Usage);
@@ -69,7 +69,7 @@ TEST(NominalFrameRate, OtherTimesAreTakenAtTheirWord) {
 }
 
 TEST(ResampleMap, WholeFramesStayWhole) {
-  const auto map = resample_map(at_rate(241, 120), 30);
+  const auto map = retime::resample_map(at_rate(241, 120), 30);
   const auto frames = frames_of(map);
   ASSERT_EQ(frames.size(), 61u);
   for (std::size_t n = 0; n < frames.size(); ++n) EXPECT_EQ(frames[n], 4.0 * double(n));
@@ -81,65 +81,67 @@ TEST(ResampleMap, WholeFramesStayWhole) {
 
 TEST(ResampleMap, ACutOffFrameTimeGivesWholeFrames) {
   const auto frames =
-      frames_of(resample_map(clip_of(240, Timeline::Given::FrameTime, 0.0083333), 60));
+      frames_of(retime::resample_map(clip_of(240, Timeline::Given::FrameTime, 0.0083333), 60));
   ASSERT_EQ(frames.size(), 121u);  // 119.5 new frames, and the end
   for (std::size_t n = 0; n < 120; ++n) EXPECT_EQ(frames[n], 2.0 * double(n));
   EXPECT_EQ(frames[120], 239);
 }
 
 TEST(ResampleMap, TheSameRateChangesNothing) {
-  const auto frames = frames_of(resample_map(at_rate(1000, 29.97), 29.97));
+  const auto frames = frames_of(retime::resample_map(at_rate(1000, 29.97), 29.97));
   ASSERT_EQ(frames.size(), 1000u);
   for (std::size_t n = 0; n < frames.size(); ++n) EXPECT_EQ(frames[n], double(n));
 }
 
 TEST(ResampleMap, FractionsAreRoundedOnce) {
-  const auto frames = frames_of(resample_map(at_rate(11, 24), 60));
+  const auto frames = frames_of(retime::resample_map(at_rate(11, 24), 60));
   ASSERT_EQ(frames.size(), 26u);
   for (std::size_t n = 0; n < frames.size(); ++n) EXPECT_EQ(frames[n], double(n) * 24 / 60);
   EXPECT_EQ(frames.back(), 10);
 }
 
 TEST(ResampleMap, MotionsOfOneFrameOrNone) {
-  EXPECT_TRUE(frames_of(resample_map(at_rate(0, 60), 30)).empty());
-  EXPECT_EQ(frames_of(resample_map(at_rate(1, 60), 30)), std::vector<double>{0});
+  EXPECT_TRUE(frames_of(retime::resample_map(at_rate(0, 60), 30)).empty());
+  EXPECT_EQ(frames_of(retime::resample_map(at_rate(1, 60), 30)), std::vector<double>{0});
 }
 
 TEST(ResampleMap, UsesTheFramesOwnTimes) {
   Clip clip = at_rate(4, 10);
   clip.timeline.times = {1, 1.5, 1.5, 3};
-  const auto frames = frames_of(resample_map(clip, 4));
+  const auto frames = frames_of(retime::resample_map(clip, 4));
   const std::vector<double> expected = {
       0, 0.5, 2, 2 + 0.25 / 1.5, 2 + 0.5 / 1.5, 2 + 0.75 / 1.5, 2 + 1 / 1.5, 2 + 1.25 / 1.5, 3};
   ASSERT_EQ(frames.size(), expected.size());
   for (std::size_t n = 0; n < frames.size(); ++n) EXPECT_NEAR(frames[n], expected[n], 1e-12);
   clip.timeline.times = {1, 3, 2, 4};
-  expect_fault(resample_map(clip, 4));
+  expect_fault(retime::resample_map(clip, 4));
 }
 
 TEST(ResampleMap, RatesHaveToBePossible) {
   for (const double rate : {0.0, -1.0, std::numeric_limits<double>::infinity(),
                             std::numeric_limits<double>::quiet_NaN(), 1e12, 1e300}) {
-    expect_fault(resample_map(at_rate(100, 30), rate));
+    expect_fault(retime::resample_map(at_rate(100, 30), rate));
   }
-  expect_fault(resample_map(clip_of(100, Timeline::Given::FrameTime, 0), 30));
-  EXPECT_EQ(frames_of(resample_map(at_rate(100, 30), 1e-300)), (std::vector<double>{0, 99}));
+  expect_fault(retime::resample_map(clip_of(100, Timeline::Given::FrameTime, 0), 30));
+  EXPECT_EQ(frames_of(retime::resample_map(at_rate(100, 30), 1e-300)),
+            (std::vector<double>{0, 99}));
 }
 
 TEST(SpeedMap, PassesOverFrames) {
-  const auto map = speed_map(at_rate(10, 30), 2);
+  const auto map = retime::speed_map(at_rate(10, 30), 2);
   EXPECT_EQ(frames_of(map), (std::vector<double>{0, 2, 4, 6, 8, 9}));
   EXPECT_FALSE(map->timeline);
-  EXPECT_EQ(frames_of(speed_map(at_rate(3, 30), 0.5)), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
-  EXPECT_EQ(frames_of(speed_map(at_rate(4, 30), 0.3)).size(), 11u);  // 3 / 0.3 is 10
-  expect_fault(speed_map(at_rate(10, 30), 0));
-  expect_fault(speed_map(at_rate(10, 30), 1e-300));
+  EXPECT_EQ(frames_of(retime::speed_map(at_rate(3, 30), 0.5)),
+            (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+  EXPECT_EQ(frames_of(retime::speed_map(at_rate(4, 30), 0.3)).size(), 11u);  // 3 / 0.3 is 10
+  expect_fault(retime::speed_map(at_rate(10, 30), 0));
+  expect_fault(retime::speed_map(at_rate(10, 30), 1e-300));
 }
 
 TEST(SpeedMap, UsesTheFramesOwnTimes) {
   Clip clip = at_rate(3, 10);
   clip.timeline.times = {0, 0.1, 0.4};
-  const auto map = speed_map(clip, 2);
+  const auto map = retime::speed_map(clip, 2);
   const auto frames = frames_of(map);
   ASSERT_EQ(frames.size(), 3u);
   EXPECT_NEAR(frames[1], 1 + 1.0 / 3, 1e-12);

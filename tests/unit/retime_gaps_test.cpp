@@ -35,7 +35,7 @@ TEST(RetimeGaps, AreAnErrorWhereTheyAreNeeded) {
   // Column 7 is the second angle of Spine.
   const Motion walk = walk_with(4, 7, std::nan(""));
   Diagnostics diagnostics;
-  const auto refused = retime(walk, {{1, 2.5, 4.5, 3.5}}, {}, diagnostics);
+  const auto refused = retime::apply(walk, {{1, 2.5, 4.5, 3.5}}, {}, diagnostics);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::InvalidInput);
   EXPECT_EQ(to_string(refused.error()),
@@ -55,7 +55,8 @@ TEST(RetimeGaps, LenientGivesNoRotationAndSparesTheOtherJoints) {
   for (const double value : {std::nan(""), kInfinity, -kInfinity}) {
     const Motion walk = walk_with(4, 7, value);
     Diagnostics diagnostics;
-    const auto result = retime(walk, {{2.5, 3.5, 4.25, 5.5}}, {.lenient = true}, diagnostics);
+    const auto result =
+        retime::apply(walk, {{2.5, 3.5, 4.25, 5.5}}, {.lenient = true}, diagnostics);
     ASSERT_TRUE(result);
     EXPECT_TRUE(gaps_in(result->clip.row(0)).empty());
     EXPECT_EQ(gaps_in(result->clip.row(1)), (std::vector<std::size_t>{6, 7, 8}));
@@ -70,16 +71,17 @@ TEST(RetimeGaps, LenientGivesNoRotationAndSparesTheOtherJoints) {
 TEST(RetimeGaps, ANumberIsAGapOfItsOwn) {
   const Motion walk = walk_with(4, 1, kInfinity);
   Diagnostics diagnostics;
-  const auto result = retime(walk, {{4.5}}, {.lenient = true}, diagnostics);
+  const auto result = retime::apply(walk, {{4.5}}, {.lenient = true}, diagnostics);
   ASSERT_TRUE(result);
   EXPECT_EQ(gaps_in(result->clip.row(0)), std::vector<std::size_t>{1});
 }
 
 TEST(RetimeGaps, CubicNeedsFourFrames) {
   const Motion walk = walk_with(4, 7, std::nan(""));
-  const RetimeOptions cubic{.rotation = RotationInterpolation::Cubic, .lenient = true};
+  const retime::RetimeOptions cubic{.rotation = retime::RotationInterpolation::Cubic,
+                                    .lenient = true};
   Diagnostics diagnostics;
-  const auto result = retime(walk, {{1.5, 2.5, 3.5, 4.5, 5.5, 6.5}}, cubic, diagnostics);
+  const auto result = retime::apply(walk, {{1.5, 2.5, 3.5, 4.5, 5.5, 6.5}}, cubic, diagnostics);
   ASSERT_TRUE(result);
   for (std::size_t n = 0; n < 6; ++n) {
     EXPECT_EQ(gaps_in(result->clip.row(n)).size(), n == 0 || n == 5 ? 0u : 3u) << n;
@@ -88,9 +90,9 @@ TEST(RetimeGaps, CubicNeedsFourFrames) {
 
 TEST(RetimeGaps, AnAverageNeedsAllThatItIsMadeOf) {
   const Motion walk = walk_with(6, 2, std::nan(""));
-  const RetimeOptions smooth{.antialias = true, .lenient = true};
+  const retime::RetimeOptions smooth{.antialias = true, .lenient = true};
   Diagnostics diagnostics;
-  const auto result = retime(walk, {{0, 2, 4, 6, 8}}, smooth, diagnostics);
+  const auto result = retime::apply(walk, {{0, 2, 4, 6, 8}}, smooth, diagnostics);
   ASSERT_TRUE(result);
   for (std::size_t n = 0; n < 5; ++n) {
     const bool is_near = n == 2 || n == 3 || n == 4;
@@ -102,7 +104,7 @@ TEST(RetimeGaps, AFreeJointHasNoRotationThen) {
   const Motion motion =
       test::free_motion({{0, 0, 0, 1, 0, 0, 0}, {1, 1, 1, 1, std::nan(""), 0, 0}});
   Diagnostics diagnostics;
-  const auto result = retime(motion, {{0.5}}, {.lenient = true}, diagnostics);
+  const auto result = retime::apply(motion, {{0.5}}, {.lenient = true}, diagnostics);
   ASSERT_TRUE(result);
   EXPECT_EQ(gaps_in(result->clip.row(0)), (std::vector<std::size_t>{3, 4, 5, 6}));
 }

@@ -23,16 +23,16 @@ Motion real_motion(const std::string& name) {
 /// The errors of every way of interpolation where every second frame is left out; printed, too.
 void expect_cubic_to_be_best(const std::string& name) {
   const Motion motion = real_motion(name);
-  const auto error_of = [&](const char* way, RotationInterpolation rotation) {
+  const auto error_of = [&](const char* way, retime::RotationInterpolation rotation) {
     const test::LeaveOutError error = test::leave_out_error(motion, 2, {.rotation = rotation});
     fmt::print("every second frame of {}, {}: {:.4f} degrees, {:.4f} units of length\n", name, way,
                error.degrees, error.distance);
     return error;
   };
-  const auto slerp = error_of("slerp", RotationInterpolation::Slerp);
-  const auto nlerp = error_of("nlerp", RotationInterpolation::Nlerp);
-  const auto euler = error_of("euler", RotationInterpolation::Euler);
-  const auto cubic = error_of("cubic", RotationInterpolation::Cubic);
+  const auto slerp = error_of("slerp", retime::RotationInterpolation::Slerp);
+  const auto nlerp = error_of("nlerp", retime::RotationInterpolation::Nlerp);
+  const auto euler = error_of("euler", retime::RotationInterpolation::Euler);
+  const auto cubic = error_of("cubic", retime::RotationInterpolation::Cubic);
   EXPECT_LT(cubic.degrees, slerp.degrees);
   EXPECT_LT(cubic.distance, slerp.distance);
   EXPECT_LE(slerp.degrees, euler.degrees * 1.01);
@@ -52,7 +52,8 @@ TEST(RetimeRealFiles, ErrorsOfABoxerAreInLineWithAnotherProgram) {
   const Motion motion = real_motion("punch_kick.amc");
   const double cm_per_unit = 100 * motion.skeleton.metres_per_unit;
   const auto slerp = test::leave_out_error(motion, 2, {});
-  const auto cubic = test::leave_out_error(motion, 2, {.rotation = RotationInterpolation::Cubic});
+  const auto cubic =
+      test::leave_out_error(motion, 2, {.rotation = retime::RotationInterpolation::Cubic});
   EXPECT_GT(slerp.distance * cm_per_unit, 0.010);
   EXPECT_LT(slerp.distance * cm_per_unit, 0.019);
   EXPECT_LT(cubic.distance * cm_per_unit, 0.007);
@@ -62,16 +63,17 @@ TEST(RetimeRealFiles, ErrorsOfABoxerAreInLineWithAnotherProgram) {
 TEST(RetimeRealFiles, ABoxerWhoPunchesLaterIsWhereAnotherProgramPutsHim) {
   SKIP_WITHOUT_DATA();
   const Motion motion = real_motion("punch_kick.amc");
-  const auto map = warp_map(motion.clip.num_frames, {.keys = {{150, 160}}});
+  const auto map = retime::warp_map(motion.clip.num_frames, {.keys = {{150, 160}}});
   ASSERT_TRUE(map);
   Diagnostics diagnostics;
-  const auto check = [&](RotationInterpolation rotation, const char* table, double tolerance) {
-    const auto warped = retime(motion, *map, {.rotation = rotation}, diagnostics);
+  const auto check = [&](retime::RotationInterpolation rotation, const char* table,
+                         double tolerance) {
+    const auto warped = retime::apply(motion, *map, {.rotation = rotation}, diagnostics);
     ASSERT_TRUE(warped);
     EXPECT_LE(test::distance_from_table(*warped, table), tolerance) << table;
   };
-  check(RotationInterpolation::Slerp, "punch_kick_160_slerp.csv", 1e-3);
-  check(RotationInterpolation::Cubic, "punch_kick_160_squad.csv", 0.05);
+  check(retime::RotationInterpolation::Slerp, "punch_kick_160_slerp.csv", 1e-3);
+  check(retime::RotationInterpolation::Cubic, "punch_kick_160_squad.csv", 0.05);
 }
 
 }  // namespace

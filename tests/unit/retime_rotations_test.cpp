@@ -58,14 +58,14 @@ void expect_row(const Motion& old, const Vec3& found, std::size_t frame, double 
   EXPECT_LT((found - angles).norm(), 1e-12);
 }
 
-void expect_agreement(AngleUnit unit, double most, RotationInterpolation rotation,
+void expect_agreement(AngleUnit unit, double most, retime::RotationInterpolation rotation,
                       Interpolate interpolate) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> angle(-most, most);
   std::uniform_real_distribution<double> step(-most / 10, most / 10);
   for (const EulerAxes& axes : all_euler_axes()) {
     std::vector<Vec3> rows;
-    TimeMap map;
+    retime::TimeMap map;
     std::uniform_real_distribution<double> t(0, 1);
     for (std::size_t f = 0; f < 300; ++f) {
       const Vec3 start(angle(random), angle(random), angle(random));
@@ -84,20 +84,20 @@ void expect_agreement(AngleUnit unit, double most, RotationInterpolation rotatio
 }
 
 TEST(RetimeRotations, SlerpIsThatOfTheMathematicsInDegrees) {
-  expect_agreement(AngleUnit::Degrees, 400, RotationInterpolation::Slerp, slerp);
+  expect_agreement(AngleUnit::Degrees, 400, retime::RotationInterpolation::Slerp, slerp);
 }
 
 TEST(RetimeRotations, SlerpIsThatOfTheMathematicsInRadians) {
-  expect_agreement(AngleUnit::Radians, 7, RotationInterpolation::Slerp, slerp);
+  expect_agreement(AngleUnit::Radians, 7, retime::RotationInterpolation::Slerp, slerp);
 }
 
 TEST(RetimeRotations, SlerpOfSmallStepsIsThatOfTheMathematics) {
-  expect_agreement(AngleUnit::Radians, 1e-7, RotationInterpolation::Slerp, slerp);
-  expect_agreement(AngleUnit::Degrees, 1e-3, RotationInterpolation::Slerp, slerp);
+  expect_agreement(AngleUnit::Radians, 1e-7, retime::RotationInterpolation::Slerp, slerp);
+  expect_agreement(AngleUnit::Degrees, 1e-3, retime::RotationInterpolation::Slerp, slerp);
 }
 
 TEST(RetimeRotations, NlerpIsThatOfTheMathematics) {
-  expect_agreement(AngleUnit::Degrees, 400, RotationInterpolation::Nlerp, nlerp);
+  expect_agreement(AngleUnit::Degrees, 400, retime::RotationInterpolation::Nlerp, nlerp);
 }
 
 TEST(RetimeRotations, EqualRowsGiveTheSameAngles) {
@@ -106,7 +106,8 @@ TEST(RetimeRotations, EqualRowsGiveTheSameAngles) {
   for (const EulerAxes& axes : all_euler_axes()) {
     for (int i = 0; i < 50; ++i) {
       const Vec3 row(angle(random), angle(random), angle(random));
-      for (const auto rotation : {RotationInterpolation::Slerp, RotationInterpolation::Cubic}) {
+      for (const auto rotation :
+           {retime::RotationInterpolation::Slerp, retime::RotationInterpolation::Cubic}) {
         const Motion same =
             retimed(turning_motion(axes, {row, row, row}), {{0.3, 1.7}}, {.rotation = rotation});
         const double lock = distance_from_lock(axes, row[1] * kRadiansPerDegree);
@@ -174,8 +175,9 @@ TEST(RetimeRotations, NoJumpThatTheOldMotionDoesNotHave) {
     const Motion motion = turning_motion(axes, rows);
     const double before = test::largest_step(motion.clip);
     ASSERT_LT(before, 180);
-    for (const auto rotation : {RotationInterpolation::Slerp, RotationInterpolation::Nlerp,
-                                RotationInterpolation::Cubic}) {
+    for (const auto rotation :
+         {retime::RotationInterpolation::Slerp, retime::RotationInterpolation::Nlerp,
+          retime::RotationInterpolation::Cubic}) {
       const Motion slow = retimed(motion, test::constant_rate(1590, 0.125), {.rotation = rotation});
       EXPECT_LT(test::largest_step(slow.clip), 180);
     }
@@ -190,7 +192,7 @@ TEST(RetimeRotations, CubicIsTheSquadOfTheMathematics) {
     }
     const Motion motion = turning_motion(axes, rows, AngleUnit::Radians);
     const Motion found =
-        retimed(motion, {{3.3, 0.5, 6.5}}, {.rotation = RotationInterpolation::Cubic});
+        retimed(motion, {{3.3, 0.5, 6.5}}, {.rotation = retime::RotationInterpolation::Cubic});
     const auto old = [&](std::size_t f, const Quat& near) {
       return on_side_of(Quat(product(axes, rows[f])), near);
     };
@@ -216,7 +218,7 @@ TEST(RetimeRotations, ManyJointsAndFramesAreNotMixedUp) {
   std::vector<Vec3> rows;
   for (int f = 0; f < 900; ++f) rows.emplace_back(f % 70, 0.1 * f - 45, 3 * f);
   const Motion motion = turning_motion(all_euler_axes()[4], rows);
-  TimeMap map;
+  retime::TimeMap map;
   for (int n = 0; n < 1000; ++n) map.old_frames.push_back(450 + 449 * std::sin(0.37 * n));
   const Motion all = retimed(motion, map);
   for (std::size_t n = 0; n < 1000; n += 7) {

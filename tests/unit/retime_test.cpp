@@ -17,13 +17,13 @@ using test::constant_rate;
 using test::retimed;
 using test::turning_motion;
 
-constexpr RotationInterpolation kEvery[] = {
-    RotationInterpolation::Slerp, RotationInterpolation::Nlerp, RotationInterpolation::Cubic,
-    RotationInterpolation::Euler};
+constexpr retime::RotationInterpolation kEvery[] = {
+    retime::RotationInterpolation::Slerp, retime::RotationInterpolation::Nlerp,
+    retime::RotationInterpolation::Cubic, retime::RotationInterpolation::Euler};
 
 TEST(Retime, TheIdentityKeepsEveryBit) {
   const Motion walk = examples::make_walk({.num_frames = 100});
-  for (const RotationInterpolation rotation : kEvery) {
+  for (const retime::RotationInterpolation rotation : kEvery) {
     for (const bool antialias : {false, true}) {
       const Motion same =
           retimed(walk, constant_rate(100, 1), {.rotation = rotation, .antialias = antialias});
@@ -34,8 +34,8 @@ TEST(Retime, TheIdentityKeepsEveryBit) {
 
 TEST(Retime, WholeFramesKeepEveryBitInAnyOrder) {
   const Motion walk = examples::make_walk({.num_frames = 60});
-  const TimeMap map{{7, 7.5, 59, 0, 58.25, 7, 12, 31.125, 30}};
-  for (const RotationInterpolation rotation : kEvery) {
+  const retime::TimeMap map{{7, 7.5, 59, 0, 58.25, 7, 12, 31.125, 30}};
+  for (const retime::RotationInterpolation rotation : kEvery) {
     const Motion mixed = retimed(walk, map, {.rotation = rotation});
     for (const std::size_t n : {0u, 2u, 3u, 5u, 6u, 8u}) {
       const auto row = mixed.clip.row(n);
@@ -59,7 +59,7 @@ TEST(Retime, ValuesBeyondTheEndsAreTheEnds) {
 
 TEST(Retime, OneFrameCanBeHeldAndNoneGivesNone) {
   Motion one = examples::make_walk({.num_frames = 1});
-  for (const RotationInterpolation rotation : kEvery) {
+  for (const retime::RotationInterpolation rotation : kEvery) {
     const Motion held = retimed(one, {{0, 0, 0.5}}, {.rotation = rotation, .antialias = true});
     ASSERT_EQ(held.clip.num_frames, 3u);
     for (std::size_t n = 0; n < 3; ++n) {
@@ -101,7 +101,7 @@ TEST(Retime, CubicNumbersFollowAParabolaAndLeaveTheEndsStraight) {
   std::vector<std::string> rows;
   for (int f = 0; f < 6; ++f) rows.push_back(std::to_string(f * f) + " 5 0.1 0 0 0 0 0 0");
   const Motion curve = retimed(test::motion_of(test::bvh_with_rows(rows)), {{1.5, 2.25, 3.75}},
-                               {.rotation = RotationInterpolation::Cubic});
+                               {.rotation = retime::RotationInterpolation::Cubic});
   EXPECT_NEAR(curve.clip.row(0)[0], 1.5 * 1.5, 1e-14);
   EXPECT_NEAR(curve.clip.row(1)[0], 2.25 * 2.25, 1e-14);
   EXPECT_NEAR(curve.clip.row(2)[0], 3.75 * 3.75, 1e-14);
@@ -123,7 +123,7 @@ TEST(Retime, AnglesOfThousandsOfDegreesStayNear) {
   for (int f = 0; f < 100; ++f) rows.emplace_back(5000 + 37 * f, 3 * f - 100, -9000 - 25 * f);
   for (const EulerAxes& axes : test::all_euler_axes()) {
     const Motion motion = turning_motion(axes, rows);
-    for (const RotationInterpolation rotation : kEvery) {
+    for (const retime::RotationInterpolation rotation : kEvery) {
       const Motion slow = retimed(motion, constant_rate(390, 0.25), {.rotation = rotation});
       EXPECT_LT(test::largest_step(slow.clip), 180);
       EXPECT_NEAR(slow.clip.row(389)[0], 5000 + 37 * 97.25, 180);
@@ -176,14 +176,15 @@ TEST(Retime, OtherSetsOfRotationsAreInterpolatedAngleByAngleWithANote) {
       turning_motion({Vec3::UnitZ(), Vec3(0.6, 0.8, 0), Vec3::UnitX()}, {{0, 0, 0}, {20, -30, 40}});
   skew.skeleton.joints[0].dofs[1].axis = Vec3(0, 0.6, 0.8);
   Diagnostics diagnostics;
-  const auto half = retime(skew, {{0.5, 0.25}}, {}, diagnostics);
+  const auto half = retime::apply(skew, {{0.5, 0.25}}, {}, diagnostics);
   ASSERT_TRUE(half);
   EXPECT_EQ(half->clip.row(0)[1], -15);
   EXPECT_EQ(test::text_of(diagnostics),
             "note[RTM007]: joint 'j' turns about axes that not every rotation can be brought back "
             "to, so its rotation is interpolated number by number\n");
   Diagnostics quiet;
-  ASSERT_TRUE(retime(skew, {{0.5}}, {.rotation = RotationInterpolation::Euler}, quiet));
+  ASSERT_TRUE(
+      retime::apply(skew, {{0.5}}, {.rotation = retime::RotationInterpolation::Euler}, quiet));
   EXPECT_TRUE(quiet.items().empty());
 }
 
@@ -196,7 +197,7 @@ TEST(Retime, SharedColumnsAreInterpolatedOnce) {
   mimic.dofs = {motion.skeleton.joints[0].dofs[1]};
   motion.skeleton.joints.push_back(mimic);
   Diagnostics diagnostics;
-  const auto half = retime(motion, {{0.5}}, {}, diagnostics);
+  const auto half = retime::apply(motion, {{0.5}}, {}, diagnostics);
   ASSERT_TRUE(half);
   EXPECT_EQ(half->clip.values, (std::vector<double>{60, -15, 20}));
   EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"RTM007"});
@@ -209,7 +210,7 @@ TEST(Retime, AFreeJointTurnsTheShortestWayAndKeepsItsSide) {
   const Motion motion =
       test::free_motion({{1, 2, 3, -2 * a.w(), -2 * a.x(), -2 * a.y(), -2 * a.z()},
                          {3, 2, 1, 3 * b.w(), 3 * b.x(), 3 * b.y(), 3 * b.z()}});
-  for (const RotationInterpolation rotation : kEvery) {
+  for (const retime::RotationInterpolation rotation : kEvery) {
     const Motion part = retimed(motion, {{0.25}}, {.rotation = rotation});
     const auto row = part.clip.row(0);
     const Quat q(row[3], row[4], row[5], row[6]);
@@ -217,18 +218,18 @@ TEST(Retime, AFreeJointTurnsTheShortestWayAndKeepsItsSide) {
     EXPECT_EQ(row[1], 2);
     EXPECT_NEAR(q.norm(), 1, 1e-15);
     EXPECT_LT(q.dot(a), 0) << "on the side of the frame before";
-    const bool is_chord = rotation == RotationInterpolation::Nlerp;
+    const bool is_chord = rotation == retime::RotationInterpolation::Nlerp;
     EXPECT_LT(angle_between(q, slerp(a, b, 0.25)), is_chord ? 0.05 : 1e-15);
   }
 }
 
 TEST(Retime, CubicIsBetterThanSlerpOnAWalk) {
   const Motion walk = examples::make_walk({.num_frames = 241});
-  const auto error_of = [&walk](RotationInterpolation rotation) {
+  const auto error_of = [&walk](retime::RotationInterpolation rotation) {
     return test::leave_out_error(walk, 2, {.rotation = rotation});
   };
-  const auto slerp = error_of(RotationInterpolation::Slerp);
-  const auto cubic = error_of(RotationInterpolation::Cubic);
+  const auto slerp = error_of(retime::RotationInterpolation::Slerp);
+  const auto cubic = error_of(retime::RotationInterpolation::Cubic);
   EXPECT_LT(cubic.degrees, 0.5 * slerp.degrees);
   EXPECT_LT(cubic.distance, 0.5 * slerp.distance);
   EXPECT_LT(slerp.degrees, 0.2);
@@ -254,7 +255,7 @@ TEST(Retime, AntialiasKillsWhatAlternates) {
     angles.emplace_back(10 + 20 * side, 30 * side, 5 - 10 * side);
   }
   const Motion shaking = turning_motion({Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()}, angles);
-  const TimeMap map = constant_rate(66, 6);
+  const retime::TimeMap map = constant_rate(66, 6);
   const Motion aliased = retimed(shaking, map);
   const Motion smooth = retimed(shaking, map, {.antialias = true});
   EXPECT_EQ(aliased.clip.row(30)[0], 30);
@@ -268,7 +269,7 @@ TEST(Retime, AntialiasKillsWhatAlternates) {
 
 TEST(Retime, AntialiasSparesWhereTheMapIsSlow) {
   const Motion walk = examples::make_walk({.num_frames = 200});
-  TimeMap map = constant_rate(100, 0.75);
+  retime::TimeMap map = constant_rate(100, 0.75);
   for (double frame = 78; frame < 199; frame += 5) map.old_frames.push_back(frame);
   const Motion plain = retimed(walk, map);
   const Motion smooth = retimed(walk, map, {.antialias = true});
@@ -283,7 +284,7 @@ TEST(Retime, AntialiasSparesWhereTheMapIsSlow) {
 
 TEST(Retime, AntialiasOfAnAbsurdRateIsBounded) {
   const Motion walk = examples::make_walk({.num_frames = 20'000});
-  TimeMap jumps;
+  retime::TimeMap jumps;
   for (int n = 0; n < 500; ++n) jumps.old_frames.push_back(n % 4 < 2 ? 0 : 19'999);
   const Motion mean = retimed(walk, jumps, {.antialias = true});
   EXPECT_EQ(mean.clip.num_frames, 500u);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRate = 100;
 
 Motion smooth(const Motion& motion, double cutoff_hz) {
-  auto result = smoothed(motion, cutoff_hz);
+  auto result = edit::smooth(motion, cutoff_hz);
   EXPECT_TRUE(result) << to_string(result.error());
   return result ? std::move(*result) : Motion{};
 }
@@ -131,19 +131,19 @@ TEST(Smoothed, TakesSpikesOutOfFreeRotations) {
 TEST(Smoothed, RefusesACutOffThatThereIsNot) {
   const Motion motion = motion_of_signal(10, sine(1));
   for (const double cutoff : {0.0, -1.0, 50.0, std::nan("")}) {
-    const auto refused = smoothed(motion, cutoff);
+    const auto refused = edit::smooth(motion, cutoff);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, "EDT007");
     EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
   }
-  EXPECT_EQ(smoothed(motion, 50).error().message,
+  EXPECT_EQ(edit::smooth(motion, 50).error().message,
             "expected a cut-off between 0 and half the frame rate, 50 Hz, found 50");
 }
 
 TEST(Smoothed, RefusesNumbersThatAreNotFinite) {
   Motion motion = motion_of_signal(10, sine(1));
   motion.clip.row(4)[1] = std::nan("");
-  const auto refused = smoothed(motion, 5);
+  const auto refused = edit::smooth(motion, 5);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT008");
   EXPECT_EQ(refused.error().kind, ErrorKind::InvalidInput);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
 #include "support/keyframes.hpp"
 #include "support/support.hpp"
 
@@ -41,8 +41,8 @@ ServoMap map_of(const std::vector<std::string>& joints) {
 }
 
 /// Two sliders and three ticks' values of each.
-FlowRun small_run() {
-  FlowRun run;
+flow::Run small_run() {
+  flow::Run run;
   run.num_sliders = 2;
   run.num_ticks = 2;
   run.sliders = {0, 0, 100, -200, 250, -400};
@@ -53,7 +53,7 @@ double degrees(double value) { return value / kRadiansPerDegree; }
 
 TEST(Unroll, WithoutARobotJointsAreInTheOrderOfTheMap) {
   Diagnostics diagnostics;
-  const auto body = unroll(small_run(), map_of({"a", "b"}), nullptr, diagnostics);
+  const auto body = servo::unroll(small_run(), map_of({"a", "b"}), nullptr, diagnostics);
   ASSERT_TRUE(body);
   ASSERT_EQ(body->components.size(), 1u);
   const Component& joints = body->components[0];
@@ -70,7 +70,7 @@ TEST(Unroll, WithoutARobotJointsAreInTheOrderOfTheMap) {
 TEST(Unroll, OfARobotJointsAreInTheOrderOfItsIdsAndOthersRest) {
   Diagnostics diagnostics;
   const Skeleton robot = small_robot();
-  const auto body = unroll(small_run(), map_of({"TAIL", "HEAD"}), &robot, diagnostics);
+  const auto body = servo::unroll(small_run(), map_of({"TAIL", "HEAD"}), &robot, diagnostics);
   ASSERT_TRUE(body);
   const Component& joints = body->components[0];
   EXPECT_EQ(joints.num_parts, 3u);
@@ -85,11 +85,12 @@ TEST(Unroll, OfARobotJointsAreInTheOrderOfItsIdsAndOthersRest) {
 TEST(Unroll, ARobotWithNoneOfTheJointsIsRefused) {
   Diagnostics diagnostics;
   const Skeleton robot = small_robot();
-  EXPECT_EQ(unroll(small_run(), map_of({"TAIL", "SLIDE"}), &robot, diagnostics).error().code,
+  EXPECT_EQ(servo::unroll(small_run(), map_of({"TAIL", "SLIDE"}), &robot, diagnostics).error().code,
             "SVM010");
   Skeleton figure = robot;
   figure.joints[0].dofs.clear();
-  EXPECT_EQ(unroll(small_run(), map_of({"HEAD"}), &figure, diagnostics).error().code, "BRG012");
+  EXPECT_EQ(servo::unroll(small_run(), map_of({"HEAD"}), &figure, diagnostics).error().code,
+            "BRG012");
 }
 
 TEST(Unroll, SlidersThatTheFlowDoesNotHaveAreZero) {
@@ -97,7 +98,7 @@ TEST(Unroll, SlidersThatTheFlowDoesNotHaveAreZero) {
   ServoMap map = map_of({"a"});
   map.entries[0].slider = 40;
   map.entries[0].offset = 100;
-  const auto body = unroll(small_run(), map, nullptr, diagnostics);
+  const auto body = servo::unroll(small_run(), map, nullptr, diagnostics);
   ASSERT_TRUE(body);
   EXPECT_NEAR(degrees(body->components[0].row(0)[0]), -1, 1e-12);
 }
@@ -106,7 +107,7 @@ TEST(Unroll, OtherTicksAreOtherRates) {
   Diagnostics diagnostics;
   ServoMap map = map_of({"a"});
   map.tick_seconds = 0.02;
-  const auto body = unroll(small_run(), map, nullptr, diagnostics);
+  const auto body = servo::unroll(small_run(), map, nullptr, diagnostics);
   EXPECT_EQ(frame_rate(body.value().components[0].timeline), 50);
 }
 
@@ -114,7 +115,7 @@ TEST(Unroll, AMotionOfAFigureHasItsUnits) {
   Diagnostics diagnostics;
   const Skeleton figure = motion_of(bvh_with_rows({"1 2 3 4 5 6 0 0 0"})).skeleton;
   const std::string column = column_names(figure)[3];
-  const auto motion = motion_of_run(small_run(), map_of({column}), figure, diagnostics);
+  const auto motion = servo::motion_of_run(small_run(), map_of({column}), figure, diagnostics);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->clip.num_frames, 3u);
   EXPECT_NEAR(motion->clip.row(2)[3], 2.5, 1e-12);
@@ -128,7 +129,7 @@ TEST(TrajectoryOf, MotionsByJointOrChannelInTheirUnits) {
   robot.clip.num_coordinates = 10;
   robot.clip.values = {0, 0, 0, 1, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0, 1, 0, 0, 0, 0.4, 0.5, 0.6};
   robot.clip.timeline.value = 0.0166667;  // which stands for 1/60
-  const auto trajectory = trajectory_of(robot, map_of({"ARM.q", "HEAD"}), diagnostics);
+  const auto trajectory = servo::trajectory_of(robot, map_of({"ARM.q", "HEAD"}), diagnostics);
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->joints, (std::vector<std::string>{"ARM.q", "HEAD"}));
   EXPECT_EQ(trajectory->angles, (std::vector<double>{0.2, 0.1, 0.5, 0.4}));
@@ -136,14 +137,15 @@ TEST(TrajectoryOf, MotionsByJointOrChannelInTheirUnits) {
 
   const Motion figure = motion_of(bvh_with_rows({"1 2 3 90 5 6 0 0 0"}));
   const std::string column = column_names(figure.skeleton)[3];
-  const auto turned = trajectory_of(figure, map_of({column}), diagnostics);
+  const auto turned = servo::trajectory_of(figure, map_of({column}), diagnostics);
   ASSERT_TRUE(turned);
   EXPECT_NEAR(turned->angles[0], 90 * kRadiansPerDegree, 1e-15);
   EXPECT_EQ(diagnostics.items().size(), diagnostics.count_of("SVM014", Severity::Note));
   // A joint of several angles is none, nor is a position.
   const std::string root = figure.skeleton.joints[0].name;
   const std::string position = column_names(figure.skeleton)[0];
-  EXPECT_EQ(trajectory_of(figure, map_of({root, position}), diagnostics).error().code, "SVM010");
+  EXPECT_EQ(servo::trajectory_of(figure, map_of({root, position}), diagnostics).error().code,
+            "SVM010");
 }
 
 TEST(TrajectoryOf, BodyMotionsByIdsOrInTheOrderOfTheMap) {
@@ -155,19 +157,19 @@ TEST(TrajectoryOf, BodyMotionsByIdsOrInTheOrderOfTheMap) {
   joints.num_frames = 1;
   joints.values = {0.1, 0.2, 0.3};
   const Skeleton robot = small_robot();
-  const auto by_ids = trajectory_of(body, map_of({"ARM", "HEAD"}), &robot, diagnostics);
+  const auto by_ids = servo::trajectory_of(body, map_of({"ARM", "HEAD"}), &robot, diagnostics);
   EXPECT_EQ(by_ids.value().angles, (std::vector<double>{0.2, 0.1}));
   const std::string left_out =
       "note[SVM014]: servos follow 2 of 3 joints; the others and other components, such as where "
       "the robot goes, are left out\n";
   EXPECT_EQ(text_of(diagnostics), left_out);
-  const auto in_order = trajectory_of(body, map_of({"ARM", "HEAD"}), nullptr, diagnostics);
+  const auto in_order = servo::trajectory_of(body, map_of({"ARM", "HEAD"}), nullptr, diagnostics);
   EXPECT_EQ(in_order.value().angles, (std::vector<double>{0.1, 0.2}));
   EXPECT_EQ(text_of(diagnostics),
             left_out + left_out +
                 "warning[SVM012]: expected 2 joints, as the servo map has, found 3; without "
                 "--skeleton they are taken in its order\n");
-  EXPECT_EQ(trajectory_of(BodyMotion{}, map_of({"ARM"}), nullptr, diagnostics).error().code,
+  EXPECT_EQ(servo::trajectory_of(BodyMotion{}, map_of({"ARM"}), nullptr, diagnostics).error().code,
             "BRG010");
 }
 
@@ -179,14 +181,15 @@ TEST(TrajectoryOf, FramesWithTimesAreInterpolatedAtTicks) {
   joints.num_frames = 3;
   joints.values = {0, 3, 0};
   joints.timeline.times = {1, 1.05, 1.1};  // three ticks up, three down
-  const auto trajectory = trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics);
+  const auto trajectory = servo::trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics);
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->frame_time, 1.0 / 60);
   ASSERT_EQ(trajectory->num_frames, 7u);
   const std::vector<double> expected = {0, 1, 2, 3, 2, 1, 0};
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(trajectory->angles[i], expected[i], 1e-9);
   joints.timeline.times = {0, 1, 1e300};
-  EXPECT_EQ(trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics).error().code, "KEY001");
+  EXPECT_EQ(servo::trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics).error().code,
+            "KEY001");
 }
 
 TEST(TrajectoryOf, ThereAndBackWithinTheTolerance) {
@@ -199,15 +202,15 @@ TEST(TrajectoryOf, ThereAndBackWithinTheTolerance) {
   joints.num_frames = 240;
   joints.values = swinging(4, 240, 3).angles;
   joints.timeline = {Timeline::Given::FrameRate, 60, 0, {}};
-  const auto trajectory = trajectory_of(body, map, nullptr, diagnostics);
+  const auto trajectory = servo::trajectory_of(body, map, nullptr, diagnostics);
   ASSERT_TRUE(trajectory);
-  const auto made = keyframe(*trajectory, map,
-                             {.num_poses = {}, .tolerance = 1.5, .lead_in_ticks = 40}, diagnostics);
+  const auto made = servo::keyframe(
+      *trajectory, map, {.num_poses = {}, .tolerance = 1.5, .lead_in_ticks = 40}, diagnostics);
   ASSERT_TRUE(made);
   EXPECT_LT(made->ticks.size(), 120u);
-  const auto run = run_flow(made->flow, {}, diagnostics);
+  const auto run = flow::run(made->flow, {}, diagnostics);
   ASSERT_TRUE(run);
-  const auto back = unroll(*run, map, nullptr, diagnostics);
+  const auto back = servo::unroll(*run, map, nullptr, diagnostics);
   ASSERT_TRUE(back);
   ASSERT_EQ(back->components[0].num_frames, 240u + 40u);
   double largest = 0;
@@ -222,10 +225,11 @@ TEST(TrajectoryOf, ThereAndBackWithinTheTolerance) {
 
 TEST(TrajectoryOf, NamesOfPartsTellWithoutARobot) {
   Diagnostics diagnostics;
-  const auto body = unroll(small_run(), map_of({"a", "b"}), nullptr, diagnostics);
+  const auto body = servo::unroll(small_run(), map_of({"a", "b"}), nullptr, diagnostics);
   ASSERT_TRUE(body);
   EXPECT_EQ(body->components[0].part_names, (std::vector<std::string>{"a", "b"}));
-  const auto trajectory = trajectory_of(*body, map_of({"b", "c", "a"}), nullptr, diagnostics);
+  const auto trajectory =
+      servo::trajectory_of(*body, map_of({"b", "c", "a"}), nullptr, diagnostics);
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->joints, (std::vector<std::string>{"b", "a"}));
   EXPECT_EQ(diagnostics.items().at(0).code, "SVM011");

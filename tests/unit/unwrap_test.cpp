@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "kinefile/channels.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/shape.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -29,14 +29,14 @@ Motion motion_of_triples(const std::vector<std::string>& triples) {
 
 TEST(Unwrapped, TakesOutWholeTurns) {
   const Motion motion = motion_of_triples({"170 0 0", "-170 0 1", "-150 0 2", "730 0 3"});
-  const Motion smooth = unwrapped(motion);
+  const Motion smooth = edit::unwrap(motion);
   EXPECT_EQ(column_of(smooth, 6), (std::vector<double>{170, 190, 210, 10 + 360}));
   EXPECT_EQ(column_of(smooth, 8), (std::vector<double>{0, 1, 2, 3}));
 }
 
 TEST(Unwrapped, TakesTheOtherTripleWhereThatIsNearer) {
   const Motion motion = motion_of_triples({"10 80 20", "-170 89 -160", "9 83 21"});
-  const Motion smooth = unwrapped(motion);
+  const Motion smooth = edit::unwrap(motion);
   EXPECT_EQ(column_of(smooth, 6), (std::vector<double>{10, 10, 9}));
   EXPECT_EQ(column_of(smooth, 7), (std::vector<double>{80, 91, 83}));
   EXPECT_EQ(column_of(smooth, 8), (std::vector<double>{20, 20, 21}));
@@ -50,19 +50,19 @@ TEST(Unwrapped, TakesTheOtherTripleOfProperEulerAngles) {
   ReadOptions lenient;
   lenient.lenient = true;
   const auto read = test::read_bvh(text, lenient);
-  const Motion smooth = unwrapped(read.motion());
+  const Motion smooth = edit::unwrap(read.motion());
   EXPECT_EQ(column_of(smooth, 7), (std::vector<double>{20, 21, 22}));
   EXPECT_LT(compare_motions(read.motion(), smooth).rotation.value, 1e-12);
 }
 
 TEST(Unwrapped, KeepsEveryBitOfWhatDoesNotJump) {
   const Motion walk = examples::make_walk({.num_frames = 60});
-  EXPECT_EQ(unwrapped(walk).clip.values, walk.clip.values);
+  EXPECT_EQ(edit::unwrap(walk).clip.values, walk.clip.values);
 }
 
 TEST(Unwrapped, PlacesTheSame) {
   const Motion walk = examples::make_walk({.num_frames = 400, .frame_rate = 5});
-  const Motion smooth = unwrapped(walk);
+  const Motion smooth = edit::unwrap(walk);
   EXPECT_NE(smooth.clip.values, walk.clip.values);
   EXPECT_LT(compare_motions(walk, smooth).distance.value, 1e-10);
 }
@@ -71,7 +71,7 @@ TEST(Unwrapped, LeavesPositionsAndFramesThatAreNotFinite) {
   Motion motion = motion_of_triples({"170 0 0", "0 0 0", "-170 0 0"});
   motion.clip.row(1)[6] = std::nan("");
   motion.clip.row(2)[0] = 5000;
-  const Motion smooth = unwrapped(motion);
+  const Motion smooth = edit::unwrap(motion);
   EXPECT_TRUE(std::isnan(smooth.clip.row(1)[6]));
   EXPECT_EQ(smooth.clip.row(2)[6], 190);
   EXPECT_EQ(smooth.clip.row(2)[0], 5000);
@@ -88,15 +88,15 @@ TEST(Unwrapped, ContinuesRadiansAndFreeRotations) {
   motion.clip.num_frames = 2;
   motion.clip.num_coordinates = 8;
   motion.clip.values = {0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, -1, 0.1, 0, 0, -3};
-  const Motion smooth = unwrapped(motion);
+  const Motion smooth = edit::unwrap(motion);
   EXPECT_EQ(smooth.clip.row(1)[3], 1);
   EXPECT_EQ(smooth.clip.row(1)[4], -0.1);
   EXPECT_NEAR(smooth.clip.row(1)[7], 2 * std::numbers::pi - 3, 1e-12);
 }
 
 TEST(Unwrapped, NeedsNoFramesAndNoColumns) {
-  EXPECT_EQ(unwrapped(Motion{}).clip.num_frames, 0u);
-  EXPECT_EQ(unwrapped(examples::make_walk({.num_frames = 0})).clip.num_frames, 0u);
+  EXPECT_EQ(edit::unwrap(Motion{}).clip.num_frames, 0u);
+  EXPECT_EQ(edit::unwrap(examples::make_walk({.num_frames = 0})).clip.num_frames, 0u);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kFrames = 450;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> warped(const WarpOptions& options, std::size_t num_frames = kFrames) {
-  const auto map = warp_map(num_frames, options);
+std::vector<double> warped(const retime::WarpOptions& options, std::size_t num_frames = kFrames) {
+  const auto map = retime::warp_map(num_frames, options);
   EXPECT_TRUE(map) << to_string(map.error());
   if (!map) return {};
   EXPECT_FALSE(map->timeline);
@@ -25,8 +25,8 @@ std::vector<double> warped(const WarpOptions& options, std::size_t num_frames = 
   return map->old_frames;
 }
 
-std::string fault_of(const WarpOptions& options, std::size_t num_frames = kFrames) {
-  const auto map = warp_map(num_frames, options);
+std::string fault_of(const retime::WarpOptions& options, std::size_t num_frames = kFrames) {
+  const auto map = retime::warp_map(num_frames, options);
   EXPECT_FALSE(map);
   if (map) return "";
   EXPECT_EQ(map.error().kind, ErrorKind::Usage);
@@ -34,18 +34,19 @@ std::string fault_of(const WarpOptions& options, std::size_t num_frames = kFrame
   return map.error().message;
 }
 
-WarpOptions with_curve(WarpCurve curve) {
-  WarpOptions options;
+retime::WarpOptions with_curve(retime::WarpCurve curve) {
+  retime::WarpOptions options;
   options.keys = {{150, 160}};
   options.curve = curve;
   return options;
 }
 
 TEST(WarpMap, WithoutKeysNothingChanges) {
-  for (const Tail tail : {Tail::Keep, Tail::Extend, Tail::Uniform}) {
-    for (const WarpCurve curve :
-         {WarpCurve::Linear, WarpCurve::Pchip, WarpCurve::Steffen, WarpCurve::Hermite}) {
-      WarpOptions options;
+  for (const retime::Tail tail :
+       {retime::Tail::Keep, retime::Tail::Extend, retime::Tail::Uniform}) {
+    for (const retime::WarpCurve curve : {retime::WarpCurve::Linear, retime::WarpCurve::Pchip,
+                                          retime::WarpCurve::Steffen, retime::WarpCurve::Hermite}) {
+      retime::WarpOptions options;
       options.tail = tail;
       options.curve = curve;
       const auto frames = warped(options);
@@ -82,67 +83,67 @@ TEST(WarpMap, BringsAKeyForward) {
 }
 
 TEST(WarpMap, ExtendPlaysTheRestAsItWas) {
-  const auto longer = warped({.keys = {{150, 160}}, .tail = Tail::Extend});
+  const auto longer = warped({.keys = {{150, 160}}, .tail = retime::Tail::Extend});
   ASSERT_EQ(longer.size(), 460u);
   for (std::size_t n = 160; n < 460; ++n) EXPECT_EQ(longer[n], double(n) - 10);
-  const auto shorter = warped({.keys = {{150, 140}}, .tail = Tail::Extend});
+  const auto shorter = warped({.keys = {{150, 140}}, .tail = retime::Tail::Extend});
   ASSERT_EQ(shorter.size(), 440u);
   for (std::size_t n = 140; n < 440; ++n) EXPECT_EQ(shorter[n], double(n) + 10);
 }
 
 TEST(WarpMap, UniformPlaysTheRestAtTheRateOfTheLastInterval) {
-  const auto frames = warped({.keys = {{150, 160}}, .tail = Tail::Uniform});
+  const auto frames = warped({.keys = {{150, 160}}, .tail = retime::Tail::Uniform});
   ASSERT_EQ(frames.size(), 479u);
   EXPECT_EQ(frames[478], 448.125);
   for (std::size_t n = 0; n < 479; ++n) EXPECT_EQ(frames[n], double(n) * 0.9375);
 }
 
 TEST(WarpMap, ExtendEndsAtTheLastWholeFrame) {
-  const auto frames = warped({.keys = {{150, 160.5}}, .tail = Tail::Extend});
+  const auto frames = warped({.keys = {{150, 160.5}}, .tail = retime::Tail::Extend});
   ASSERT_EQ(frames.size(), 460u);
   EXPECT_EQ(frames.back(), 448.5);
 }
 
 TEST(WarpMap, RoundingDoesNotLoseTheEnd) {
-  const auto frames = warped({.keys = {{0.1, 0.3}, {0.3, 0.5}}, .tail = Tail::Extend}, 11);
+  const auto frames = warped({.keys = {{0.1, 0.3}, {0.3, 0.5}}, .tail = retime::Tail::Extend}, 11);
   EXPECT_EQ(frames.size(), 11u);
-  const auto exact = warped({.keys = {{0.7, 1.7}}, .tail = Tail::Extend}, 11);
+  const auto exact = warped({.keys = {{0.7, 1.7}}, .tail = retime::Tail::Extend}, 11);
   ASSERT_EQ(exact.size(), 12u);
   EXPECT_EQ(exact.back(), 10);
 }
 
 TEST(WarpMap, SlopesAreThoseOfTheFacts) {
-  const std::vector<retiming::Knot> knots = {{0, 0}, {160, 150}, {449, 449}};
-  const auto pchip = retiming::pchip_slopes(knots);
+  const std::vector<retime::Knot> knots = {{0, 0}, {160, 150}, {449, 449}};
+  const auto pchip = retime::pchip_slopes(knots);
   EXPECT_NEAR(pchip[0], 0.9028979238754324, 1e-15);
   EXPECT_NEAR(pchip[1], 0.9790438768827766, 1e-15);
   EXPECT_NEAR(pchip[2], 1.0971020761245676, 1e-15);
-  const auto steffen = retiming::steffen_slopes(knots);
+  const auto steffen = retime::steffen_slopes(knots);
   EXPECT_NEAR(steffen[0], 0.9028979, 1e-7);
   EXPECT_NEAR(steffen[1], 0.9721021, 1e-7);
   EXPECT_NEAR(steffen[2], 1.0971021, 1e-7);
 }
 
 TEST(WarpMap, CurvesHaveTheirWorkedNumbers) {
-  const auto pchip = warped(with_curve(WarpCurve::Pchip));
+  const auto pchip = warped(with_curve(retime::WarpCurve::Pchip));
   EXPECT_NEAR(pchip[1], 0.903071, 1e-6);
   EXPECT_NEAR(pchip[80], 73.477081, 1e-6);
   EXPECT_EQ(pchip[160], 150);
   EXPECT_NEAR(pchip[161], 150.979212, 1e-6);
   EXPECT_NEAR(pchip[300], 290.591376, 1e-6);
-  const auto steffen = warped(with_curve(WarpCurve::Steffen));
+  const auto steffen = warped(with_curve(retime::WarpCurve::Steffen));
   EXPECT_NEAR(steffen[80], 73.615917, 1e-6);
   EXPECT_NEAR(steffen[300], 290.333045, 1e-6);
-  const auto hermite = warped(with_curve(WarpCurve::Hermite));
+  const auto hermite = warped(with_curve(retime::WarpCurve::Hermite));
   EXPECT_NEAR(hermite[1], 0.998963, 1e-6);
   EXPECT_NEAR(hermite[80], 75.419122, 1e-6);
   EXPECT_NEAR(hermite[300], 293.986653, 1e-6);
 }
 
 TEST(WarpMap, SmoothCurvesGoOverIntoTheTail) {
-  WarpOptions options = with_curve(WarpCurve::Pchip);
+  retime::WarpOptions options = with_curve(retime::WarpCurve::Pchip);
   options.keys = {{1500, 1600}};
-  options.tail = Tail::Extend;
+  options.tail = retime::Tail::Extend;
   const auto frames = warped(options, 4500);
   EXPECT_NEAR(frames[1600] - frames[1599], 1, 1e-3);
   EXPECT_EQ(frames[1600], 1500);
@@ -156,19 +157,19 @@ TEST(WarpMap, KeysMayComeInAnyOrder) {
 }
 
 TEST(WarpMap, AKeyMayCutTheStartOff) {
-  const auto frames = warped({.keys = {{10, 0}}, .tail = Tail::Extend});
+  const auto frames = warped({.keys = {{10, 0}}, .tail = retime::Tail::Extend});
   EXPECT_EQ(frames.size(), 440u);
   EXPECT_EQ(frames.front(), 10);
 }
 
 TEST(WarpMap, HoldsWhereThatIsAllowed) {
-  WarpOptions options{.keys = {{100, 100}, {100, 150}}, .tail = Tail::Extend};
+  retime::WarpOptions options{.keys = {{100, 100}, {100, 150}}, .tail = retime::Tail::Extend};
   EXPECT_EQ(fault_of(options),
             "expected keys that go on in the old motion, found 100:100 and 100:150, between which "
             "it stands still; --allow-hold allows it");
   options.allow_hold = true;
-  for (const WarpCurve curve :
-       {WarpCurve::Linear, WarpCurve::Pchip, WarpCurve::Steffen, WarpCurve::Hermite}) {
+  for (const retime::WarpCurve curve : {retime::WarpCurve::Linear, retime::WarpCurve::Pchip,
+                                        retime::WarpCurve::Steffen, retime::WarpCurve::Hermite}) {
     options.curve = curve;
     const auto frames = warped(options);
     ASSERT_EQ(frames.size(), 500u);
@@ -177,7 +178,7 @@ TEST(WarpMap, HoldsWhereThatIsAllowed) {
 }
 
 TEST(WarpMap, RunsBackwardsWhereThatIsAllowed) {
-  WarpOptions options{.keys = {{449, 0}, {0, 449}}, .tail = Tail::Uniform};
+  retime::WarpOptions options{.keys = {{449, 0}, {0, 449}}, .tail = retime::Tail::Uniform};
   EXPECT_EQ(fault_of(options),
             "expected keys that go on in the old motion, found 449:0 and 0:449, between which it "
             "runs backwards; --allow-reverse allows it");
@@ -189,26 +190,26 @@ TEST(WarpMap, RunsBackwardsWhereThatIsAllowed) {
 
 TEST(WarpMap, UniformRunsBackToTheStart) {
   const auto frames =
-      warped({.keys = {{100, 0}, {50, 25}}, .tail = Tail::Uniform, .allow_reverse = true});
+      warped({.keys = {{100, 0}, {50, 25}}, .tail = retime::Tail::Uniform, .allow_reverse = true});
   EXPECT_EQ(frames.size(), 51u);
   EXPECT_EQ(frames.back(), 0);
 }
 
 TEST(WarpMap, EasesWithinEveryInterval) {
-  WarpOptions options{.keys = {{150, 160}}};
-  options.ease = *parse_ease("smooth");
+  retime::WarpOptions options{.keys = {{150, 160}}};
+  options.ease = *retime::parse_ease("smooth");
   const auto frames = warped(options);
   EXPECT_EQ(frames[80], 75);
   EXPECT_DOUBLE_EQ(frames[40], 150 * 0.15625);
   EXPECT_EQ(frames[160], 150);
   EXPECT_EQ(frames[449], 449);
-  options.tail = Tail::Extend;
+  options.tail = retime::Tail::Extend;
   EXPECT_EQ(warped(options)[170], 160);
 }
 
 TEST(WarpMap, AnEaseThatOvershootsStaysInTheMotion) {
-  WarpOptions options{.keys = {{150, 160}}};
-  options.ease = *parse_ease("bezier:0.3,-2,0.7,3");
+  retime::WarpOptions options{.keys = {{150, 160}}};
+  options.ease = *retime::parse_ease("bezier:0.3,-2,0.7,3");
   EXPECT_EQ(fault_of(options),
             "expected an ease that does not go back, found one that overshoots; --allow-reverse "
             "allows it");
@@ -230,35 +231,36 @@ TEST(WarpMap, KeysHaveToFit) {
             "ends, found 150:449; --tail extend lets the length change");
   EXPECT_EQ(fault_of({.keys = {{449, 500}}}).substr(0, 34), "expected keys before the new frame");
   for (const double bad : {kNaN, std::numeric_limits<double>::infinity(), -1.0, 1e300}) {
-    EXPECT_NE(fault_of({.keys = {{bad, 10}}, .tail = Tail::Extend}), "");
-    EXPECT_NE(fault_of({.keys = {{10, bad}}, .tail = Tail::Extend}), "");
+    EXPECT_NE(fault_of({.keys = {{bad, 10}}, .tail = retime::Tail::Extend}), "");
+    EXPECT_NE(fault_of({.keys = {{10, bad}}, .tail = retime::Tail::Extend}), "");
   }
   EXPECT_NE(fault_of({.keys = {{0, 0}}}, 0), "");
   EXPECT_EQ(warped({.keys = {{449, 449}}}).size(), kFrames);
 }
 
 TEST(WarpMap, DoesNotFillTheMemory) {
-  EXPECT_NE(fault_of({.keys = {{1, 2e9}}, .tail = Tail::Uniform}), "");
-  EXPECT_NE(fault_of({.keys = {{1e-300, 1}}, .tail = Tail::Uniform}), "");
-  EXPECT_NE(fault_of({.keys = {{1, 134217727}}, .tail = Tail::Extend}), "");
+  EXPECT_NE(fault_of({.keys = {{1, 2e9}}, .tail = retime::Tail::Uniform}), "");
+  EXPECT_NE(fault_of({.keys = {{1e-300, 1}}, .tail = retime::Tail::Uniform}), "");
+  EXPECT_NE(fault_of({.keys = {{1, 134217727}}, .tail = retime::Tail::Extend}), "");
   EXPECT_NE(fault_of({}, std::numeric_limits<std::size_t>::max()), "");
-  EXPECT_NE(fault_of({.keys = {{1, 5}, {1, 9}}, .tail = Tail::Uniform, .allow_hold = true}), "");
+  EXPECT_NE(fault_of({.keys = {{1, 5}, {1, 9}}, .tail = retime::Tail::Uniform, .allow_hold = true}),
+            "");
 }
 
 TEST(WarpMap, CurvesAndEasesExcludeEachOther) {
-  WarpOptions options = with_curve(WarpCurve::Pchip);
-  options.ease.kind = Ease::Kind::Smooth;
+  retime::WarpOptions options = with_curve(retime::WarpCurve::Pchip);
+  options.ease.kind = retime::Ease::Kind::Smooth;
   EXPECT_EQ(fault_of(options), "expected an ease with the linear curve alone, found another curve");
-  options = with_curve(WarpCurve::Pchip);
+  options = with_curve(retime::WarpCurve::Pchip);
   options.weights.assign(kFrames, 1);
   EXPECT_NE(fault_of(options), "");
   options = {};
-  options.ease = {Ease::Kind::In, -1};
+  options.ease = {retime::Ease::Kind::In, -1};
   EXPECT_NE(fault_of(options), "");
 }
 
 TEST(WarpMap, EvenWeightsAreStraight) {
-  WarpOptions options{.keys = {{150, 160}}};
+  retime::WarpOptions options{.keys = {{150, 160}}};
   const auto straight = warped(options);
   options.weights.assign(kFrames, 0.5);
   const auto weighted = warped(options);
@@ -267,7 +269,7 @@ TEST(WarpMap, EvenWeightsAreStraight) {
 }
 
 TEST(WarpMap, TimeStretchesWhereTheWeightsLetIt) {
-  WarpOptions options{.keys = {{150, 160}}, .tail = Tail::Extend};
+  retime::WarpOptions options{.keys = {{150, 160}}, .tail = retime::Tail::Extend};
   options.weights.assign(kFrames, 0);
   for (std::size_t f = 50; f < 100; ++f) options.weights[f] = 1;
   const auto frames = warped(options);
@@ -279,7 +281,7 @@ TEST(WarpMap, TimeStretchesWhereTheWeightsLetIt) {
 }
 
 TEST(WarpMap, WeightsHaveToLeaveRoom) {
-  WarpOptions options{.keys = {{150, 100}}, .tail = Tail::Extend};
+  retime::WarpOptions options{.keys = {{150, 100}}, .tail = retime::Tail::Extend};
   options.weights.assign(kFrames, 0);
   EXPECT_EQ(fault_of(options),
             "expected room to change the time from 0:0 to 150:100, found no frame there that may "
@@ -299,7 +301,8 @@ TEST(WarpMap, WeightsHaveToLeaveRoom) {
 }
 
 TEST(WarpMap, WeightsGoWithReversalsAndHolds) {
-  WarpOptions options{.keys = {{100, 80}, {100, 90}, {20.5, 200}}, .tail = Tail::Extend};
+  retime::WarpOptions options{.keys = {{100, 80}, {100, 90}, {20.5, 200}},
+                              .tail = retime::Tail::Extend};
   options.allow_hold = options.allow_reverse = true;
   options.weights.assign(kFrames, 0);
   for (std::size_t f = 0; f < kFrames; f += 3) options.weights[f] = 1;
@@ -311,9 +314,9 @@ TEST(WarpMap, WeightsGoWithReversalsAndHolds) {
 }
 
 /// Random keys that rise, with fractions, close together and far apart.
-std::vector<WarpKey> random_keys(std::mt19937_64& random, double last_frame) {
+std::vector<retime::WarpKey> random_keys(std::mt19937_64& random, double last_frame) {
   std::uniform_real_distribution<double> part(0, 1);
-  std::vector<WarpKey> keys;
+  std::vector<retime::WarpKey> keys;
   double old_frame = 0;
   double new_frame = 0;
   const std::size_t count = 1 + random() % 6;
@@ -329,18 +332,20 @@ TEST(WarpMap, RisingKeysGiveRisingMaps) {
   std::mt19937_64 random(7);
   std::size_t num_maps = 0;
   for (int round = 0; round < 400; ++round) {
-    WarpOptions options;
+    retime::WarpOptions options;
     options.keys = random_keys(random, 449);
-    for (const Tail tail : {Tail::Keep, Tail::Extend, Tail::Uniform}) {
+    for (const retime::Tail tail :
+         {retime::Tail::Keep, retime::Tail::Extend, retime::Tail::Uniform}) {
       options.tail = tail;
-      for (const WarpCurve curve :
-           {WarpCurve::Linear, WarpCurve::Pchip, WarpCurve::Steffen, WarpCurve::Hermite}) {
+      for (const retime::WarpCurve curve :
+           {retime::WarpCurve::Linear, retime::WarpCurve::Pchip, retime::WarpCurve::Steffen,
+            retime::WarpCurve::Hermite}) {
         options.curve = curve;
-        if (tail == Tail::Uniform) {  // may be very long
-          const WarpKey last = options.keys.back();
+        if (tail == retime::Tail::Uniform) {  // may be very long
+          const retime::WarpKey last = options.keys.back();
           if (last.new_frame > 100 * last.old_frame) continue;
         }
-        const auto map = warp_map(kFrames, options);
+        const auto map = retime::warp_map(kFrames, options);
         if (!map || map->old_frames.size() > 100'000) continue;
         ++num_maps;
         for (std::size_t n = 1; n < map->old_frames.size(); ++n) {
@@ -355,7 +360,7 @@ TEST(WarpMap, RisingKeysGiveRisingMaps) {
 TEST(WarpMap, WholeKeysAreMetExactly) {
   std::mt19937_64 random(8);
   for (int round = 0; round < 200; ++round) {
-    WarpOptions options;
+    retime::WarpOptions options;
     options.weights.assign(round % 2 == 0 ? 0 : kFrames, 1);
     double old_frame = 0;
     double new_frame = 0;
@@ -365,7 +370,7 @@ TEST(WarpMap, WholeKeysAreMetExactly) {
       options.keys.push_back({old_frame, new_frame});
     }
     const auto frames = warped(options);
-    for (const WarpKey& key : options.keys) {
+    for (const retime::WarpKey& key : options.keys) {
       EXPECT_EQ(frames[static_cast<std::size_t>(key.new_frame)], key.old_frame);
     }
     EXPECT_EQ(frames.back(), 449);

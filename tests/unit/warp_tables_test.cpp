@@ -13,8 +13,8 @@
 namespace kinefile {
 namespace {
 
-void expect_table(const std::string& name, const WarpOptions& options) {
-  const auto map = warp_map(450, options);
+void expect_table(const std::string& name, const retime::WarpOptions& options) {
+  const auto map = retime::warp_map(450, options);
   ASSERT_TRUE(map) << to_string(map.error());
   std::istringstream table(test::bytes_of(test::data_folder() + "/acclaim/golden/" + name));
   std::size_t num_rows = 0;
@@ -32,19 +32,19 @@ void expect_table(const std::string& name, const WarpOptions& options) {
 
 TEST(WarpTables, AreMet) {
   SKIP_WITHOUT_DATA();
-  WarpOptions options;
+  retime::WarpOptions options;
   options.keys = {{150, 160}};
   expect_table("table_150to160_keep450.csv", options);
-  options.curve = WarpCurve::Pchip;
+  options.curve = retime::WarpCurve::Pchip;
   expect_table("table_150to160_keep450_pchip.csv", options);
-  options.curve = WarpCurve::Steffen;
+  options.curve = retime::WarpCurve::Steffen;
   expect_table("table_150to160_keep450_steffen.csv", options);
-  options.curve = WarpCurve::Hermite;
+  options.curve = retime::WarpCurve::Hermite;
   expect_table("table_150to160_keep450_hermite1.csv", options);
-  options.curve = WarpCurve::Linear;
-  options.tail = Tail::Extend;
+  options.curve = retime::WarpCurve::Linear;
+  options.tail = retime::Tail::Extend;
   expect_table("table_150to160_extend460.csv", options);
-  options.tail = Tail::Keep;
+  options.tail = retime::Tail::Keep;
   options.keys = {{150, 140}};
   expect_table("table_150to140_keep450.csv", options);
 }
@@ -54,7 +54,7 @@ TEST(ContactWeights, ARealWalkTouchesTheGround) {
   const auto read =
       test::read_bvh(test::bytes_of(test::data_folder() + "/acclaim/cgspeed_bvh/05_01.bvh"));
   Diagnostics diagnostics;
-  const auto weights = contact_weights(read.motion(), diagnostics);
+  const auto weights = retime::contact_weights(read.motion(), diagnostics);
   ASSERT_TRUE(weights) << to_string(weights.error());
   const auto num_contacts = std::count(weights->begin(), weights->end(), 1.0);
   EXPECT_NEAR(static_cast<double>(num_contacts) / static_cast<double>(weights->size()), 0.41, 0.02);

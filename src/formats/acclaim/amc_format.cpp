@@ -16,10 +16,10 @@
 namespace kinefile::acclaim {
 namespace {
 
-constexpr std::array<std::string_view, 1> kExtensions = {".amc"};
+constexpr std::array<std::string_view, 1> kAmcExtensions = {".amc"};
 constexpr double kUsualRate = 120;
 
-bool probe(std::string_view head) {
+bool probe_amc(std::string_view head) {
   constexpr std::array<std::string_view, 4> kKeywords = {":fully-specified", ":degrees", ":radians",
                                                          ":force-all-joints-be-3dof"};
   return text::starts_with_ignoring_case(head, "#!OML:ASF") ||
@@ -103,8 +103,8 @@ void keep_words(Document& document, const AmcHeader& header, const AmcBody& body
   words["rate"] = options.fps ? "asked" : header.samples_per_second ? "file" : "assumed";
 }
 
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
-                            Diagnostics& diagnostics) {
+Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& options,
+                                Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
   if (!decoded) return fail(std::move(decoded.error()));
   const text::Source source(options.source_name, decoded->view());
@@ -137,9 +137,9 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
-                      Diagnostics& diagnostics) {
-  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+Result<Document> read_amc(std::string_view bytes, const ReadOptions& options,
+                          Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_amc_alone, bytes, options, diagnostics);
 }
 
 AmcHeading heading_of(const Document& document, const Motion& motion, const WriteOptions& options) {
@@ -159,8 +159,8 @@ AmcHeading heading_of(const Document& document, const Motion& motion, const Writ
   return heading;
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
+Result<void> write_amc(const Document& document, const WriteOptions& options, const Sink& sink,
+                       Diagnostics&) {
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (motion == nullptr) {
     return fail(make_error(ErrorKind::Usage, code::kNeedsAsf,
@@ -179,9 +179,10 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format amc_format() {
-  return {
-      "amc", "Acclaim motion, with its skeleton beside it", kExtensions, "asf", probe, read, write,
-      true};
+  return {"amc",          "Acclaim motion, with its skeleton beside it",
+          kAmcExtensions, "asf",
+          probe_amc,      read_amc,
+          write_amc,      true};
 }
 
 }  // namespace kinefile::acclaim

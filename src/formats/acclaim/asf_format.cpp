@@ -16,9 +16,9 @@
 namespace kinefile::acclaim {
 namespace {
 
-constexpr std::array<std::string_view, 2> kExtensions = {".asf", ".ast"};
+constexpr std::array<std::string_view, 2> kAsfExtensions = {".asf", ".ast"};
 
-bool probe(std::string_view head) {
+bool probe_asf(std::string_view head) {
   constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",
                                                          ":bonedata"};
   return text::is_one_of(Lexer(head).take(), kSections);
@@ -33,8 +33,8 @@ void note_unit(double length, const text::Source& source, Diagnostics& diagnosti
                source.text().data());
 }
 
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
-                            Diagnostics& diagnostics) {
+Result<Document> read_asf_alone(std::string_view bytes, const ReadOptions& options,
+                                Diagnostics& diagnostics) {
   auto skeleton = read_skeleton(bytes, options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
   Document document;
@@ -46,13 +46,13 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
-                      Diagnostics& diagnostics) {
-  return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+Result<Document> read_asf(std::string_view bytes, const ReadOptions& options,
+                          Diagnostics& diagnostics) {
+  return read_with_own_diagnostics(read_asf_alone, bytes, options, diagnostics);
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics& diagnostics) {
+Result<void> write_asf(const Document& document, const WriteOptions& options, const Sink& sink,
+                       Diagnostics& diagnostics) {
   // As the companion of a motion it says nothing of it, and loses nothing.
   const bool loses_motion =
       std::holds_alternative<Motion>(document.content) && !options.is_companion;
@@ -87,6 +87,8 @@ Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& op
   return skeleton;
 }
 
-Format asf_format() { return {"asf", "Acclaim skeleton", kExtensions, {}, probe, read, write}; }
+Format asf_format() {
+  return {"asf", "Acclaim skeleton", kAsfExtensions, {}, probe_asf, read_asf, write_asf};
+}
 
 }  // namespace kinefile::acclaim

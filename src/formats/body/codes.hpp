@@ -4,7 +4,7 @@
 // The diagnostics of the reader of Choreonoid's robot models. docs/errors.md gives each a cause and
 // a cure, and tests/formats/body/invalid a file and its message.
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::body::code {
 
@@ -26,7 +26,7 @@ inline constexpr char kNestedFiles[] = "BDY015";
 inline constexpr char kTooManyLinks[] = "BDY016";
 inline constexpr char kUnknownKey[] = "BDY017";
 
-inline constexpr robot::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
-                                        kLargeId,      kRepeatedId,   kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
+                                             kLargeId,      kRepeatedId,   kNotUnitLength};
 
 }  // namespace kinefile::body::code

@@ -67,7 +67,7 @@ std::string Files::name_beside(const File& file, std::string_view uri) {
   return normalised(file.folder + with_slashes(std::string(uri)));
 }
 
-std::optional<CompanionFile> Files::find(const std::string& name, const robot::Spot& spot) {
+std::optional<CompanionFile> Files::find(const std::string& name, const robot_file::Spot& spot) {
   std::optional<CompanionFile> found;
   if (options_.companions.open) found = options_.companions.open(name);
   if (!found) {
@@ -79,7 +79,7 @@ std::optional<CompanionFile> Files::find(const std::string& name, const robot::S
   return found;
 }
 
-const File* Files::open(const std::string& name, const robot::Spot& spot) {
+const File* Files::open(const std::string& name, const robot_file::Spot& spot) {
   const auto known = files_.find(name);
   if (known != files_.end()) return known->second->tree ? known->second.get() : nullptr;
   if (files_.size() == kMostFiles) {
@@ -109,7 +109,7 @@ const File* Files::read(std::string name, std::string_view bytes, const std::str
   return file->tree ? file.get() : nullptr;
 }
 
-const robot::Robot* Files::robot(const File& file, const robot::Spot& spot) {
+const robot_file::Robot* Files::robot(const File& file, const robot_file::Spot& spot) {
   const auto known = robots_.find(&file);
   if (known != robots_.end()) return known->second ? &*known->second : nullptr;
   const bool is_open = std::find(open_.begin(), open_.end(), &file) != open_.end();

@@ -39,14 +39,14 @@ class Files {
 
   /// Reads a file that another one names. Null after an error.
   /// \param spot  where it is named
-  const File* open(const std::string& name, const robot::Spot& spot);
+  const File* open(const std::string& name, const robot_file::Spot& spot);
 
   /// Finds a file that another one names; nothing after an error.
-  std::optional<CompanionFile> find(const std::string& name, const robot::Spot& spot);
+  std::optional<CompanionFile> find(const std::string& name, const robot_file::Spot& spot);
 
   /// The robot of a file; null after an error.
   /// \param spot  where the file is named
-  const robot::Robot* robot(const File& file, const robot::Spot& spot);
+  const robot_file::Robot* robot(const File& file, const robot_file::Spot& spot);
 
   const ReadOptions& options() const { return options_; }
   Diagnostics& diagnostics() { return diagnostics_; }
@@ -58,7 +58,7 @@ class Files {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   std::map<std::string, std::unique_ptr<File>> files_;
-  std::map<const File*, std::optional<robot::Robot>> robots_;
+  std::map<const File*, std::optional<robot_file::Robot>> robots_;
   std::vector<const File*> open_;  ///< those whose links are being read, outermost first
 };
 
@@ -67,13 +67,13 @@ struct Wrapped {
   const File* file = nullptr;            ///< one with links; null after an error, or if:
   const Format* other_format = nullptr;  ///< it is of another format than .body
   std::string other_name;
-  robot::Spot spot;  ///< where `other_name` stands
+  robot_file::Spot spot;  ///< where `other_name` stands
 };
 
 /// Follows `modelFile` from file to file.
 Wrapped follow_wrappers(const File* file, Files& files);
 
 /// Reads the links of a file. Nothing after an error.
-std::optional<robot::Robot> read_robot(const File& file, Files& files);
+std::optional<robot_file::Robot> read_robot(const File& file, Files& files);
 
 }  // namespace kinefile::body

@@ -62,13 +62,13 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   if (wrapped.other_format != nullptr) {
     result = read_other(wrapped, files);
   } else {
-    const robot::Robot* robot =
+    const robot_file::Robot* robot =
         wrapped.file == nullptr
             ? nullptr
             : files.robot(*wrapped.file, {wrapped.file->source.get(), wrapped.file->root().at});
     auto document = robot == nullptr
                         ? std::nullopt
-                        : robot::document_of(*robot, "body", code::kRobot, diagnostics);
+                        : robot_file::document_of(*robot, "body", code::kRobot, diagnostics);
     if (document) result = std::move(*document);
   }
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());

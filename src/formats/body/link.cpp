@@ -12,8 +12,8 @@
 namespace kinefile::body {
 namespace {
 
-using robot::JointType;
-using robot::Link;
+using robot_file::JointType;
+using robot_file::Link;
 using text::yaml::Node;
 using text::yaml::NodeKind;
 
@@ -72,7 +72,7 @@ bool read_rotation(Values& values, const Node& node, Link& link) {
   if (!rows) return false;
   link.rotation = Quat::Identity();
   for (const auto& row : *rows) {
-    const Quat turn = robot::rotation_about({row[0], row[1], row[2]}, values.radians(row[3]));
+    const Quat turn = robot_file::rotation_about({row[0], row[1], row[2]}, values.radians(row[3]));
     link.rotation = (link.rotation * turn).normalized();
   }
   return true;
@@ -190,7 +190,7 @@ bool read_speed(Values& values, const Node& node, Link& link) {
 
 }  // namespace
 
-void set_id(Link& link, double id, const robot::Spot& spot) {
+void set_id(Link& link, double id, const robot_file::Spot& spot) {
   link.joint_id.reset();
   if (id >= 0) link.joint_id = static_cast<std::size_t>(std::min(id, kLargestId));
   link.id_spot = spot;

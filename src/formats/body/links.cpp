@@ -11,8 +11,8 @@
 namespace kinefile::body {
 namespace {
 
-using robot::JointType;
-using robot::Link;
+using robot_file::JointType;
+using robot_file::Link;
 using text::yaml::Node;
 using text::yaml::NodeKind;
 
@@ -26,7 +26,7 @@ class LinkReader {
   LinkReader(const File& file, Files& files)
       : file_(file), files_(files), values_{*file.source, *file.tree, files.diagnostics()} {}
 
-  std::optional<robot::Robot> read() {
+  std::optional<robot_file::Robot> read() {
     if (!read_head() || !read_nodes() || !find_root()) return std::nullopt;
     return std::move(robot_);
   }
@@ -122,10 +122,10 @@ class LinkReader {
   }
 
   bool add(Link link, const Node& node) {
-    is_full_ = robot_.links.size() == robot::kMostLinks;
+    is_full_ = robot_.links.size() == robot_file::kMostLinks;
     if (is_full_) {
       return fail(node, code::kTooManyLinks,
-                  fmt::format("expected at most {} links, found more", robot::kMostLinks));
+                  fmt::format("expected at most {} links, found more", robot_file::kMostLinks));
     }
     robot_.links.push_back(std::move(link));
     return true;
@@ -200,7 +200,7 @@ class LinkReader {
     if (uri == nullptr) return missing(node, "the uri of a SubBody");
     const auto word = values_.word(*uri, "a uri");
     if (!word) return false;
-    const robot::Spot spot = values_.spot(*uri);
+    const robot_file::Spot spot = values_.spot(*uri);
     const File* file = files_.open(Files::name_beside(file_, *word), spot);
     const Wrapped wrapped = follow_wrappers(file, files_);
     if (wrapped.other_format != nullptr) {
@@ -208,12 +208,12 @@ class LinkReader {
                   fmt::format("expected a .body file as a SubBody, found a wrapper of {}",
                               text::quoted(wrapped.other_name)));
     }
-    const robot::Robot* other =
+    const robot_file::Robot* other =
         wrapped.file == nullptr ? nullptr : files_.robot(*wrapped.file, spot);
     return other != nullptr && add_links(node, *other, spot);
   }
 
-  bool add_links(const Node& node, const robot::Robot& other, const robot::Spot& spot) {
+  bool add_links(const Node& node, const robot_file::Robot& other, const robot_file::Spot& spot) {
     const auto affix = [&](std::string_view name) {
       const Node* value = text::yaml::find(node, name);
       return value == nullptr ? std::string() : std::string(value->text);
@@ -256,13 +256,13 @@ class LinkReader {
   const File& file_;
   Files& files_;
   Values values_;
-  robot::Robot robot_;
+  robot_file::Robot robot_;
   bool is_full_ = false;  ///< more links are an error that is told once
 };
 
 }  // namespace
 
-std::optional<robot::Robot> read_robot(const File& file, Files& files) {
+std::optional<robot_file::Robot> read_robot(const File& file, Files& files) {
   return LinkReader(file, files).read();
 }
 

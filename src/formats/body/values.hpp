@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 #include "text/yaml/tree.hpp"
 
 namespace kinefile::body {
@@ -19,7 +19,7 @@ struct Values {
   Diagnostics& diagnostics;
   bool has_degrees = true;  ///< else its angles are radians
 
-  robot::Spot spot(const text::yaml::Node& node) const { return {&source, node.at}; }
+  robot_file::Spot spot(const text::yaml::Node& node) const { return {&source, node.at}; }
   void error(const text::yaml::Node& node, const char* code, std::string message);
 
   /// A text; numbers are texts, too.

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kPoseChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 /// The columns of a robot's root, before those of its joints.
-constexpr std::size_t kRootColumns = 7;
 
 /// The name and the channel of a column, "HEAD.q" or "HEAD".
 std::pair<std::string, std::string> split_name(const std::string& header) {

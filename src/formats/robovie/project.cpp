@@ -78,8 +78,8 @@ ProjectFiles read_names(const Reader& reader, RobotProject& project) {
   return files;
 }
 
-Result<RobotProject> read_alone(std::string_view bytes, const ReadOptions& options,
-                                Diagnostics& diagnostics) {
+Result<RobotProject> read_project_alone(std::string_view bytes, const ReadOptions& options,
+                                        Diagnostics& diagnostics) {
   const auto decoded = decode_motion(bytes, options, diagnostics);
   if (!decoded) return fail(decoded.error());
   const text::Source source(options.source_name, decoded->view());
@@ -150,7 +150,7 @@ Result<RobotProject> read_project(std::string_view bytes, const ReadOptions& opt
                                   Diagnostics& diagnostics) {
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
-  auto project = robovie::read_alone(bytes, options, own);
+  auto project = robovie::read_project_alone(bytes, options, own);
   if (!project && !own.has_errors()) own.add(project.error());
   if (project && own.has_errors()) project = fail(own.first_error());
   diagnostics.append(std::move(own));

@@ -4,7 +4,7 @@
 // The diagnostics of the URDF reader. docs/errors.md gives each a cause and a cure, and
 // tests/formats/urdf/invalid a file and its message.
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::urdf::code {
 
@@ -22,7 +22,7 @@ inline constexpr char kIgnored[] = "URD011";
 inline constexpr char kNoLimit[] = "URD012";
 
 /// Joint ids are counted here, so that none is too large and none stands twice.
-inline constexpr robot::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
-                                        kTooManyLinks, kTooManyLinks, kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
+                                             kTooManyLinks, kTooManyLinks, kNotUnitLength};
 
 }  // namespace kinefile::urdf::code

@@ -79,7 +79,7 @@ const XMLElement* Elements::read_root(const char* name) {
   }
   const XMLElement* root = document_.RootElement();
   if (root != nullptr && root->Name() == std::string_view(name)) return root;
-  const robot::Spot start{&source_, source_.text().data()};
+  const robot_file::Spot start{&source_, source_.text().data()};
   report(Severity::Error, root == nullptr ? start : spot(*root), code::kNotUrdf,
          fmt::format("expected the element <{}>, found {}", name,
                      root == nullptr ? "none" : fmt::format("<{}>", root->Name())));
@@ -96,7 +96,7 @@ const char* Elements::start_of_line(int line) const {
   return source_.text().data() + line_starts_[std::min(index, line_starts_.size() - 1)];
 }
 
-robot::Spot Elements::find_in_line(int line, const std::string& word) const {
+robot_file::Spot Elements::find_in_line(int line, const std::string& word) const {
   const char* begin = start_of_line(line);
   const auto rest = std::min(source_.end() - begin, kFarthestColumn);
   const char* end = std::find(begin, begin + rest, '\n');
@@ -104,19 +104,19 @@ robot::Spot Elements::find_in_line(int line, const std::string& word) const {
   return {&source_, found == end ? begin : found};
 }
 
-robot::Spot Elements::spot(const XMLElement& element) const {
+robot_file::Spot Elements::spot(const XMLElement& element) const {
   return find_in_line(element.GetLineNum(), std::string("<") + element.Name());
 }
 
-robot::Spot Elements::spot(const XMLElement& element, const XMLAttribute& attribute) const {
-  const robot::Spot in_line = find_in_line(attribute.GetLineNum(), attribute.Name());
-  const robot::Spot start = spot(element);
+robot_file::Spot Elements::spot(const XMLElement& element, const XMLAttribute& attribute) const {
+  const robot_file::Spot in_line = find_in_line(attribute.GetLineNum(), attribute.Name());
+  const robot_file::Spot start = spot(element);
   if (attribute.GetLineNum() != element.GetLineNum()) return in_line;
   // Behind the element's own start, which may look the same.
   const std::string_view rest(
       start.at, static_cast<std::size_t>(std::min(source_.end() - start.at, kFarthestColumn)));
   const std::size_t at = rest.substr(0, rest.find('\n')).find(std::string(" ") + attribute.Name());
-  return at == std::string_view::npos ? in_line : robot::Spot{&source_, start.at + at + 1};
+  return at == std::string_view::npos ? in_line : robot_file::Spot{&source_, start.at + at + 1};
 }
 
 std::optional<std::string> Elements::word(const XMLElement& element, const char* attribute) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::urdf {
 
@@ -23,9 +23,9 @@ class Elements {
 
   /// Where an element stands: its line is known, its column only where it is the first of its name
   /// in the line.
-  robot::Spot spot(const tinyxml2::XMLElement& element) const;
-  robot::Spot spot(const tinyxml2::XMLElement& element,
-                   const tinyxml2::XMLAttribute& attribute) const;
+  robot_file::Spot spot(const tinyxml2::XMLElement& element) const;
+  robot_file::Spot spot(const tinyxml2::XMLElement& element,
+                        const tinyxml2::XMLAttribute& attribute) const;
 
   /// The text of an attribute, which has to be there.
   std::optional<std::string> word(const tinyxml2::XMLElement& element, const char* attribute);
@@ -37,14 +37,15 @@ class Elements {
   std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const char* attribute,
                              const Vec3& fallback);
 
-  void report(Severity severity, const robot::Spot& spot, const char* code, std::string message) {
+  void report(Severity severity, const robot_file::Spot& spot, const char* code,
+              std::string message) {
     spot.report(diagnostics_, severity, code, std::move(message));
   }
   Diagnostics& diagnostics() { return diagnostics_; }
 
  private:
   const char* start_of_line(int line) const;
-  robot::Spot find_in_line(int line, const std::string& word) const;
+  robot_file::Spot find_in_line(int line, const std::string& word) const;
   void tell_fault();
 
   const text::Source& source_;

@@ -37,7 +37,7 @@ bool probe(std::string_view head) {
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
-  return robot::read_text(parse, "urdf", code::kRobot, bytes, options, diagnostics);
+  return robot_file::read_text(parse, "urdf", code::kRobot, bytes, options, diagnostics);
 }
 
 Result<Document> read(std::string_view bytes, const ReadOptions& options,

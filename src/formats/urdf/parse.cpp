@@ -12,15 +12,15 @@
 namespace kinefile::urdf {
 namespace {
 
-using robot::JointType;
-using robot::Link;
+using robot_file::JointType;
+using robot_file::Link;
 using tinyxml2::XMLElement;
 
 /// Roll, pitch and yaw: about the fixed axes x, y and z, in this order.
 Quat rotation_of(const Vec3& rpy) {
-  const Quat roll = robot::rotation_about(Vec3::UnitX(), rpy.x());
-  const Quat pitch = robot::rotation_about(Vec3::UnitY(), rpy.y());
-  const Quat yaw = robot::rotation_about(Vec3::UnitZ(), rpy.z());
+  const Quat roll = robot_file::rotation_about(Vec3::UnitX(), rpy.x());
+  const Quat pitch = robot_file::rotation_about(Vec3::UnitY(), rpy.y());
+  const Quat yaw = robot_file::rotation_about(Vec3::UnitZ(), rpy.z());
   return (yaw * pitch * roll).normalized();
 }
 
@@ -28,7 +28,7 @@ class Parser {
  public:
   Parser(const text::Source& source, Diagnostics& diagnostics) : elements_(source, diagnostics) {}
 
-  std::optional<robot::Robot> parse() {
+  std::optional<robot_file::Robot> parse() {
     const XMLElement* root = elements_.read_root("robot");
     if (root == nullptr) return std::nullopt;
     const char* name = root->Attribute("name");
@@ -56,7 +56,7 @@ class Parser {
     }
   }
 
-  void error(const robot::Spot& spot, const char* code, std::string message) {
+  void error(const robot_file::Spot& spot, const char* code, std::string message) {
     elements_.report(Severity::Error, spot, code, std::move(message));
     is_good_ = false;
   }
@@ -208,7 +208,7 @@ class Parser {
   }
 
   Elements elements_;
-  robot::Robot robot_;
+  robot_file::Robot robot_;
   std::unordered_map<std::string, Known> links_;
   std::vector<std::string> names_;  ///< of links, in the order of the file
   std::size_t num_ids_ = 0;
@@ -217,7 +217,7 @@ class Parser {
 
 }  // namespace
 
-std::optional<robot::Robot> parse(const text::Source& source, Diagnostics& diagnostics) {
+std::optional<robot_file::Robot> parse(const text::Source& source, Diagnostics& diagnostics) {
   return Parser(source, diagnostics).parse();
 }
 

@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::urdf {
 
 /// Reads the robot of a URDF text. Nothing after an error, which is in `diagnostics`.
 /// \param source  UTF-8 without a byte order mark; the robot's places point into it
 /// Sources: the pages of the ROS wiki on URDF's XML; what Choreonoid 2.5 makes of it.
-std::optional<robot::Robot> parse(const text::Source& source, Diagnostics& diagnostics);
+std::optional<robot_file::Robot> parse(const text::Source& source, Diagnostics& diagnostics);
 
 }  // namespace kinefile::urdf

@@ -4,7 +4,7 @@
 // The diagnostics of the reader of OpenHRP's VRML models. docs/errors.md gives each a cause and a
 // cure, and tests/formats/wrl/invalid a file and its message.
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::wrl::code {
 
@@ -24,7 +24,7 @@ inline constexpr char kTooManyLinks[] = "WRL013";
 inline constexpr char kMisplacedJoint[] = "WRL014";
 
 /// Joints lie in each other: there is no circle.
-inline constexpr robot::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kBadParent,
-                                        kLargeId,      kRepeatedId,   kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {
+    kTooManyLinks, kRepeatedName, kBadParent, kBadParent, kLargeId, kRepeatedId, kNotUnitLength};
 
 }  // namespace kinefile::wrl::code

@@ -12,8 +12,8 @@
 namespace kinefile::wrl {
 namespace {
 
-using robot::JointType;
-using robot::Link;
+using robot_file::JointType;
+using robot_file::Link;
 
 constexpr double kLargestId = 4e9;  // far beyond what is allowed, and a size on every machine
 
@@ -53,7 +53,7 @@ bool read_vector(Parser& parser, std::string_view field, Vec3& out) {
 bool read_rotation(Parser& parser, Quat& out) {
   double numbers[4];
   if (!read_numbers(parser, "rotation", numbers, 4)) return false;
-  out = robot::rotation_about({numbers[0], numbers[1], numbers[2]}, numbers[3]);
+  out = robot_file::rotation_about({numbers[0], numbers[1], numbers[2]}, numbers[3]);
   return true;
 }
 

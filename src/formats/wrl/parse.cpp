@@ -19,7 +19,7 @@ class ModelReader {
   ModelReader(const text::Source& source, Diagnostics& diagnostics)
       : parser_{source, diagnostics, Lexer(source.text())}, lexer_(parser_.lexer) {}
 
-  std::optional<robot::Robot> read() {
+  std::optional<robot_file::Robot> read() {
     const Token start = {TokenKind::Word, parser_.source.text().substr(0, 0)};
     if (!parser_.source.text().starts_with("#VRML V2.0")) {
       parser_.fail(start, code::kNotAModel, "expected '#VRML V2.0 utf8', found something else");
@@ -170,9 +170,10 @@ class ModelReader {
   bool read_joint(std::size_t parent, std::size_t level, const std::string& name,
                   const Token& start) {
     const std::size_t index = robot_.links.size();
-    if (index == robot::kMostLinks) {
-      return parser_.fail(start, code::kTooManyLinks,
-                          fmt::format("expected at most {} links, found more", robot::kMostLinks));
+    if (index == robot_file::kMostLinks) {
+      return parser_.fail(
+          start, code::kTooManyLinks,
+          fmt::format("expected at most {} links, found more", robot_file::kMostLinks));
     }
     robot_.links.emplace_back();
     parents_.push_back(parent);
@@ -206,13 +207,13 @@ class ModelReader {
   Lexer& lexer_;
   Token field_;
   JointFields defaults_;
-  robot::Robot robot_;
+  robot_file::Robot robot_;
   std::vector<std::size_t> parents_;  ///< of every link
 };
 
 }  // namespace
 
-std::optional<robot::Robot> parse(const text::Source& source, Diagnostics& diagnostics) {
+std::optional<robot_file::Robot> parse(const text::Source& source, Diagnostics& diagnostics) {
   return ModelReader(source, diagnostics).read();
 }
 

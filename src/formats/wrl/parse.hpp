@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 namespace kinefile::wrl {
 
@@ -12,6 +12,6 @@ namespace kinefile::wrl {
 /// \param source  UTF-8 without a byte order mark; the robot's places point into it
 /// Sources: ISO/IEC 14772-1 (VRML97); the prototypes of OpenHRP's models; what Choreonoid 2.5 makes
 /// of them.
-std::optional<robot::Robot> parse(const text::Source& source, Diagnostics& diagnostics);
+std::optional<robot_file::Robot> parse(const text::Source& source, Diagnostics& diagnostics);
 
 }  // namespace kinefile::wrl

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 #include "formats/wrl/lexer.hpp"
 
 namespace kinefile::wrl {
@@ -17,7 +17,7 @@ struct Parser {
   Diagnostics& diagnostics;
   Lexer lexer;
 
-  robot::Spot spot(const Token& token) const { return {&source, token.at()}; }
+  robot_file::Spot spot(const Token& token) const { return {&source, token.at()}; }
   bool fail(const Token& token, const char* code, std::string message);
   /// Tells that something else was expected than what comes next.
   bool unexpected(std::string_view expected);
@@ -27,7 +27,7 @@ struct Parser {
 
 /// A joint while it is read: fields may stand in any order.
 struct JointFields {
-  robot::Link link;
+  robot_file::Link link;
   std::string name;  ///< of its field `name`, not of DEF
   bool has_type = false;
 };

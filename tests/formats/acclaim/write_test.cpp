@@ -172,9 +172,10 @@ TEST(AcclaimConvert, OntoAnotherSkeletonSaysWhatCannotBe) {
   Motion motion = read_bvh(bvh_with_rows({"1 2 3 0 0 0 30 20 10"})).motion();
   const ReadText asf = read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx\n"));
   Diagnostics diagnostics;
-  EXPECT_EQ(onto_skeleton(motion, skeleton_of(*asf.document), diagnostics).error().code, "BRG004");
+  EXPECT_EQ(shape::onto_skeleton(motion, skeleton_of(*asf.document), diagnostics).error().code,
+            "BRG004");
   motion.skeleton.joints[1].name = "B";
-  const auto moved = onto_skeleton(motion, skeleton_of(*asf.document), diagnostics);
+  const auto moved = shape::onto_skeleton(motion, skeleton_of(*asf.document), diagnostics);
   ASSERT_TRUE(moved);
   const std::string told = text_of(diagnostics);
   EXPECT_NE(told.find("joint 'b' cannot turn as it did"), std::string::npos) << told;
@@ -187,7 +188,8 @@ TEST(AcclaimConvert, OntoItsOwnBonesNothingIsLost) {
   walk.content = examples::make_walk({.num_frames = 10});
   Diagnostics diagnostics;
   const Document bones = adapted(walk, "amc", diagnostics);
-  const auto moved = onto_skeleton(std::get<Motion>(walk.content), skeleton_of(bones), diagnostics);
+  const auto moved =
+      shape::onto_skeleton(std::get<Motion>(walk.content), skeleton_of(bones), diagnostics);
   ASSERT_TRUE(moved);
   Document again;
   again.content = *moved;

@@ -2,7 +2,7 @@
 // Tables of joint values, in and out. tests/formats/csv/invalid holds a file for every code that
 // reading can give, and beside it the exact diagnostics.
 
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
 #include "support/seq.hpp"
 
 namespace kinefile::test {
@@ -70,7 +70,7 @@ TEST(Csv, PointsMayBeRelativeToTheRoot) {
   const Component& zmp = components_of(read)[0];
   EXPECT_EQ(zmp.content, kZmp);
   EXPECT_TRUE(zmp.is_root_relative);
-  EXPECT_EQ(column_names(motion_of_component(zmp).skeleton)[0], "ZMP.root.x");
+  EXPECT_EQ(column_names(robot::motion_of_component(zmp).skeleton)[0], "ZMP.root.x");
 }
 
 TEST(Csv, TheRateIsWhatTheTimesTell) {
@@ -118,8 +118,8 @@ TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
       seq_of({joints({"[ 0.1, 1e-300 ]", "[ -0.5, 2 ]"}),
               poses({"[ [ 1, 2, 3, 1, 0, 0, 0 ] ]", "[ [ 0.1, 0.2, 0.3, 0.6, 0, 0.8, 0 ] ]"})}));
   Diagnostics none;
-  auto motion = pose(std::get<BodyMotion>(seq.document->content), skeleton_of(*options.skeleton),
-                     false, none);
+  auto motion = robot::pose(std::get<BodyMotion>(seq.document->content),
+                            skeleton_of(*options.skeleton), false, none);
   ASSERT_TRUE(motion);
   std::string text;
   const Document document{*motion, "choreonoid", {}};

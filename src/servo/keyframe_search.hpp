@@ -9,9 +9,9 @@
 
 #include "kinefile/result.hpp"
 
-namespace kinefile::bridging {
+namespace kinefile::servo {
 
-/// An hour at 60 ticks a second, which is as long as `run_flow` runs by default.
+/// An hour at 60 ticks a second, which is as long as `flow::run` runs by default.
 inline constexpr std::size_t kMostTicks = 216'000;
 
 /// How many ticks a time takes: to the first one at or after its end.
@@ -33,7 +33,7 @@ struct KeyTicks {
   double largest_error = 0;  ///< degrees
 };
 
-/// The playback of a word on its way, as `run_flow` goes: from + trunc((to - from) k / n).
+/// The playback of a word on its way, as `flow::run` goes: from + trunc((to - from) k / n).
 constexpr std::int32_t played_word(std::int32_t from, std::int32_t to, std::int32_t k,
                                    std::int32_t n) {
   return from + (to - from) * k / n;
@@ -57,4 +57,4 @@ KeyTicks closest_poses(const WordTrack& track, std::size_t num_poses);
 /// How many poses it takes at least, since none takes longer than `kMaxTicks`.
 std::size_t least_poses(const WordTrack& track);
 
-}  // namespace kinefile::bridging
+}  // namespace kinefile::servo

@@ -17,22 +17,22 @@ double whole_turn(AngleUnit unit);
 bool all_finite(std::span<const double> numbers);
 
 /// A column that moves a joint's origin, and along which axis of its parent's frame.
-struct Slide {
+struct TranslationColumn {
   Vec3 axis = Vec3::Zero();
   std::size_t column = 0;
 };
 
 /// What moves a joint's origin: its translations, or the first three columns of a free joint.
-std::vector<Slide> slides_of(const Joint& joint);
+std::vector<TranslationColumn> translation_columns(const Joint& joint);
 
 /// Where a joint's origin is in its parent's frame.
-Vec3 position_in_row(const Joint& joint, const std::vector<Slide>& slides,
+Vec3 position_in_row(const Joint& joint, const std::vector<TranslationColumn>& translations,
                      std::span<const double> row);
 
-/// Moves a joint's origin to a place in its parent's frame, or as near as its slides let it.
+/// Moves a joint's origin to a place in its parent's frame, or as near as its translations let it.
 /// \returns the distance that is left
-double fit_position(const Joint& joint, const std::vector<Slide>& slides, const Vec3& position,
-                    std::span<double> row);
+double fit_position(const Joint& joint, const std::vector<TranslationColumn>& translations,
+                    const Vec3& position, std::span<double> row);
 
 /// The column of a joint's free movement, or nothing for a joint that has none.
 std::optional<std::size_t> free_column(const Joint& joint);

@@ -31,7 +31,7 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   diagnostics.add(Severity::Note, "CNV004",
                   fmt::format("the motion is turned so that {} points up (--up as-is leaves it)",
                               up == 1 ? 'y' : 'z'));
-  return with_up_axis(motion, up, diagnostics);
+  return edit::up(motion, up, diagnostics);
 }
 
 Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
@@ -40,19 +40,19 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a model for --form, found none; --skeleton names one"));
   }
-  const auto posed = pose(body, skeleton_of(*options.model), options.lenient, diagnostics);
+  const auto posed = robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics);
   if (!posed) return fail(posed.error());
-  if (!is_robot(posed->skeleton)) {
+  if (!robot::is_robot(posed->skeleton)) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a root pose with a quaternion for --form; convert it with "
                            "--se3-format XYZQWQXQYQZ first"));
   }
-  return project(*posed, *options.form, &body, diagnostics);
+  return robot::project(*posed, *options.form, &body, diagnostics);
 }
 
 /// What the robot's joints are called, and what they follow.
-RobotNames names_of(const KindOptions& options) {
-  RobotNames names;
+robot::RobotNames names_of(const KindOptions& options) {
+  robot::RobotNames names;
   names.source_of = options.joint_map;
   for (const auto& [link, words] : options.model->extras.joints) {
     const auto joint = words.find("joint_name");
@@ -62,9 +62,9 @@ RobotNames names_of(const KindOptions& options) {
 }
 
 Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
-  const bool is_of_robot = is_robot(motion.skeleton);
-  const bool wants_joints = options.form && *options.form != BodyForm::Links;
-  const BodyForm usual = is_of_robot ? BodyForm::Joints : BodyForm::Links;
+  const bool is_of_robot = robot::is_robot(motion.skeleton);
+  const bool wants_joints = options.form && *options.form != robot::BodyForm::Links;
+  const robot::BodyForm usual = is_of_robot ? robot::BodyForm::Joints : robot::BodyForm::Links;
   if (!is_of_robot) {
     motion.skeleton.metres_per_unit = settle_unit(motion.skeleton, diagnostics);
     auto turned = turned_up(std::move(motion), 2, options, diagnostics);
@@ -72,10 +72,11 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
     motion = std::move(*turned);
   }
   if (is_of_robot || !wants_joints || options.model == nullptr) {
-    return project(motion, options.form.value_or(usual), nullptr, diagnostics);
+    return robot::project(motion, options.form.value_or(usual), nullptr, diagnostics);
   }
-  auto body = onto_robot(motion, skeleton_of(*options.model), names_of(options), diagnostics);
-  if (!body || *options.form == BodyForm::Joints) return body;
+  auto body =
+      robot::onto_robot(motion, skeleton_of(*options.model), names_of(options), diagnostics);
+  if (!body || *options.form == robot::BodyForm::Joints) return body;
   return in_form(*body, options, diagnostics);
 }
 
@@ -97,15 +98,14 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                          Diagnostics& diagnostics) {
   tell_dropped(body, options.model != nullptr, diagnostics);
   auto posed = options.model != nullptr
-                   ? pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
-                   : motion_of_links(body);
+                   ? robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
+                   : robot::motion_of_links(body);
   if (!posed) return posed;
-  return turned_up(without_free_joints(*posed), 1, options, diagnostics);
+  return turned_up(robot::without_free_joints(*posed), 1, options, diagnostics);
 }
 
 /// The same components with the robot's names of joints, in order of their ids, and of links.
 BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
-  constexpr std::size_t kRootColumns = 7;
   for (Component& component : body.components) {
     auto& names = component.part_names;
     if (component.content == kLinkPosition && component.num_parts <= robot.joints.size()) {
@@ -114,7 +114,7 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
         names.push_back(robot.joints[part].name);
       }
     }
-    const bool has_ids = component.content == kJointDisplacement && is_robot(robot) &&
+    const bool has_ids = component.content == kJointDisplacement && robot::is_robot(robot) &&
                          component.num_parts + kRootColumns <= robot.coordinates.size();
     if (!has_ids) continue;
     names.clear();
@@ -129,11 +129,11 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
 Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
                           Diagnostics& diagnostics) {
   KindOptions as_joints = options;
-  if (options.model != nullptr) as_joints.form = options.form.value_or(BodyForm::Joints);
+  if (options.model != nullptr) as_joints.form = options.form.value_or(robot::BodyForm::Joints);
   const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (body == nullptr &&
-      (motion == nullptr || (options.model == nullptr && !is_robot(motion->skeleton)))) {
+      (motion == nullptr || (options.model == nullptr && !robot::is_robot(motion->skeleton)))) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a robot's motion for hrpsys; --skeleton names a robot to put "
                            "others on"));
@@ -155,7 +155,7 @@ Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
                     "them");
   }
   const Component* zmp = find_component(*made, ComponentKind::Vectors, kZmp);
-  return zmp == nullptr ? made : with_zmp(*made, true, diagnostics);
+  return zmp == nullptr ? made : robot::zmp(*made, true, diagnostics);
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
     const auto wanted =
         format.name == "csv" ? std::optional(FlowFormat::WordN) : options.flow_format;
     if (!wanted) return document;
-    return put(in_flow_format(std::get<PoseFlow>(document.content), *wanted, diagnostics));
+    return put(flow::in_format(std::get<PoseFlow>(document.content), *wanted, diagnostics));
   }
   if (format.name == "hrpsys") return put(set_of(document, options, diagnostics));
   if (format.name == "choreonoid") {
@@ -198,11 +198,11 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
   document.extras = {};
   document.format.clear();
   if (format.name == "csv" && options.model != nullptr) {
-    return put(Result<Motion>(
-        motion_of_components(with_names_of(*body, skeleton_of(*options.model)), diagnostics)));
+    return put(Result<Motion>(robot::motion_of_components(
+        with_names_of(*body, skeleton_of(*options.model)), diagnostics)));
   }
   if (format.name == "csv") {
-    return put(Result<Motion>(motion_of_components(*body, diagnostics)));
+    return put(Result<Motion>(robot::motion_of_components(*body, diagnostics)));
   }
   return put(motion_of(*body, options, diagnostics));
 }

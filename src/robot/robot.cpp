@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bridge/robot.hpp"
+#include "robot/robot.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace kinefile::bridging {
+namespace kinefile::robot {
 
 double angle_about(const Quat& q, const Vec3& axis, double near) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -44,4 +44,4 @@ void find_joints(const Component& links, Motion& posed) {
   }
 }
 
-}  // namespace kinefile::bridging
+}  // namespace kinefile::robot

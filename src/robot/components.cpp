@@ -7,9 +7,9 @@
 #include <array>
 
 #include "base/words.hpp"
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
 
-namespace kinefile {
+namespace kinefile::robot {
 namespace {
 
 constexpr std::array<const char*, 7> kFreeChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
@@ -235,4 +235,4 @@ Motion without_free_joints(const Motion& motion) {
   return changed;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::robot

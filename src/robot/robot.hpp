@@ -7,7 +7,7 @@
 #include "kinefile/math.hpp"
 #include "kinefile/motion.hpp"
 
-namespace kinefile::bridging {
+namespace kinefile::robot {
 
 /// The rotation of a recorded pose, of unit length.
 Quat rotation_of(const Component& links, std::span<const double> pose);
@@ -21,4 +21,4 @@ double angle_about(const Quat& q, const Vec3& axis, double near);
 /// \param posed  of `pose`; its joints' columns are set
 void find_joints(const Component& links, Motion& posed);
 
-}  // namespace kinefile::bridging
+}  // namespace kinefile::robot

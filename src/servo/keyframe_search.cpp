@@ -8,7 +8,7 @@
 // shorter ones (words are rounded, trajectories bend), so all are tried; but nearly all of those
 // that fail do so at the same tick and joint as the one before, which is looked at first.
 
-#include "bridge/keyframe_search.hpp"
+#include "servo/keyframe_search.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 
 #include "kinefile/pose_flow.hpp"
 
-namespace kinefile::bridging {
+namespace kinefile::servo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -277,4 +277,4 @@ KeyTicks closest_poses(const WordTrack& track, std::size_t num_poses) {
   return *Search(track, errors, {.tolerance = high, .is_closest = true}).run();
 }
 
-}  // namespace kinefile::bridging
+}  // namespace kinefile::servo

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "base/words.hpp"
-#include "bridge/robot.hpp"
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
+#include "robot/robot.hpp"
 
-namespace kinefile {
+namespace kinefile::robot {
 namespace {
 
 /// What of a turn a robot's joints may leave undone before it is told, in degrees.
@@ -98,7 +98,7 @@ std::vector<double> angles_of(const Follower& follower, const Quat& turn,
                               const std::vector<double>& near) {
   const auto& axes = follower.axes;
   if (axes.empty()) return {};
-  if (axes.size() == 1) return {bridging::angle_about(turn, axes[0], near[0])};
+  if (axes.size() == 1) return {angle_about(turn, axes[0], near[0])};
   const bool has_three = axes.size() == 3;
   // Two of them: as if there were a third across both, whose turn stays undone.
   const EulerAxes euler = {axes[0], axes[1], has_three ? axes[2] : Vec3(axes[0].cross(axes[1]))};
@@ -218,4 +218,4 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
   return project(moved, BodyForm::Joints, nullptr, diagnostics);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::robot

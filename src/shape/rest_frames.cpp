@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinefile/bridge.hpp"
+#include "kinefile/shape.hpp"
 
-namespace kinefile {
+namespace kinefile::shape {
 namespace {
 
 /// Turns a joint's own frame, in which its axes and tips are, and its parent's, in which it sits.
@@ -129,4 +129,4 @@ Motion without_inner_tips(const Motion& motion) {
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::shape

@@ -7,15 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bridge/keyframe_search.hpp"
 #include "kinefile/flow.hpp"
-#include "kinefile/servo_motion.hpp"
+#include "kinefile/servo.hpp"
+#include "servo/keyframe_search.hpp"
 
-namespace kinefile {
+namespace kinefile::servo {
 namespace {
-
-using bridging::KeyTicks;
-using bridging::WordTrack;
 
 /// Of a frame, within which a tick is taken for the frame itself.
 constexpr double kFrameMargin = 1e-6;
@@ -142,7 +139,7 @@ Result<Task> task_of(const JointTrajectory& trajectory, const ServoMap& map) {
   }
   const double frames = static_cast<double>(trajectory.num_frames - 1);
   const auto num_ticks =
-      bridging::num_ticks_of(frames == 0 ? 0 : frames * trajectory.frame_time, map.tick_seconds);
+      num_ticks_of(frames == 0 ? 0 : frames * trajectory.frame_time, map.tick_seconds);
   if (!num_ticks) return fail(num_ticks.error());
   WordTrack& track = task.track;
   track.num_joints = task.entries.size();
@@ -167,15 +164,15 @@ Result<Task> task_of(const JointTrajectory& trajectory, const ServoMap& map) {
   return task;
 }
 
-/// How far a flow is from the trajectory, as `run_flow` runs it.
+/// How far a flow is from the trajectory, as `flow::run` runs it.
 Result<std::vector<KeyframeError>> errors_of(const PoseFlow& flow,
                                              const JointTrajectory& trajectory, const Task& task,
                                              const KeyframeOptions& options) {
-  RunOptions run_options;
+  flow::RunOptions run_options;
   run_options.jumps.assign(flow.num_sliders, false);  // a servo's sliders do not
   run_options.max_ticks += kMaxTicks;                 // the lead-in
   Diagnostics none;
-  const auto run = run_flow(flow, run_options, none);
+  const auto run = flow::run(flow, run_options, none);
   if (!run) return fail(run.error());
   const WordTrack& track = task.track;
   const auto lead_in = static_cast<std::size_t>(options.lead_in_ticks);
@@ -229,7 +226,7 @@ Result<Keyframes> keyframes_of(const JointTrajectory& trajectory, const Task& ta
                                const KeyTicks& keys, const ServoMap& map,
                                const KeyframeOptions& options) {
   Diagnostics none;
-  auto flow = in_flow_format(flow_of(task, keys, map, options), options.format, none);
+  auto flow = flow::in_format(flow_of(task, keys, map, options), options.format, none);
   if (!flow) return fail(std::move(flow.error()));
   auto errors = errors_of(*flow, trajectory, task, options);
   if (!errors) return fail(std::move(errors.error()));
@@ -251,7 +248,7 @@ WordTrack within_limits(const Task& task) {
 /// Why no poses keep to a tolerance: where even the closest ones do not.
 Error out_of_tolerance(const JointTrajectory& trajectory, const Task& task, const ServoMap& map,
                        const KeyframeOptions& options) {
-  const KeyTicks keys = bridging::closest_poses(task.track, task.track.last_tick + 1);
+  const KeyTicks keys = closest_poses(task.track, task.track.last_tick + 1);
   const auto closest = keyframes_of(trajectory, task, keys, map, options);
   if (!closest) return closest.error();
   const auto worst = std::max_element(
@@ -274,19 +271,19 @@ Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& ma
   if (!task) return fail(task.error());
   tell_limits(*task, diagnostics, trajectory);
   if (options.tolerance) {
-    const auto keys = bridging::fewest_poses(task->track, *options.tolerance);
+    const auto keys = fewest_poses(task->track, *options.tolerance);
     if (!keys) return fail(out_of_tolerance(trajectory, *task, map, options));
     return keyframes_of(trajectory, *task, *keys, map, options);
   }
-  const std::size_t least = bridging::least_poses(task->track);
+  const std::size_t least = least_poses(task->track);
   if (*options.num_poses < least) {
     return fail(
         usage(fmt::format("expected at least {} poses, since none takes longer than {} "
                           "ticks, found {}",
                           least, kMaxTicks, *options.num_poses)));
   }
-  const KeyTicks keys = bridging::closest_poses(within_limits(*task), *options.num_poses);
+  const KeyTicks keys = closest_poses(within_limits(*task), *options.num_poses);
   return keyframes_of(trajectory, *task, keys, map, options);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::servo

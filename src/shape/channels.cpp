@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "kinefile/channels.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "kinefile/joint_rotation.hpp"
+#include "kinefile/shape.hpp"
 
-namespace kinefile {
+namespace kinefile::shape {
 namespace {
 
 /// The axis of x, y, z that a degree of freedom is about or along.
@@ -26,7 +25,7 @@ bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOr
 }
 
 /// A column of the new clip.
-struct NewColumn {
+struct ColumnSource {
   enum class From { Column, Constant, Angle, Position } from = From::Column;
   std::size_t column = 0;  ///< of the old clip
   double constant = 0;
@@ -35,7 +34,7 @@ struct NewColumn {
 
 /// How one joint's channels are made from its old ones.
 struct JointChange {
-  std::vector<NewColumn> columns;
+  std::vector<ColumnSource> columns;
   std::vector<std::string> channels;
   std::vector<DegreeOfFreedom> dofs;  ///< their coordinates count within `columns`
   Vec3 offset = Vec3::Zero();
@@ -62,7 +61,7 @@ std::optional<double> constant_of(const Clip& clip, std::size_t column, double r
                                                                 : std::nullopt;
 }
 
-void add_column(JointChange& change, NewColumn column, std::string channel,
+void add_column(JointChange& change, ColumnSource column, std::string channel,
                 std::optional<DegreeOfFreedom> dof) {
   if (dof) {
     dof->coordinate = change.columns.size();
@@ -101,12 +100,12 @@ void complete_positions(const Context& context, const Joint& joint, JointChange&
     bool is_there = false;
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::Translation || axis_of(dof) != k) continue;
-      add_column(change, {NewColumn::From::Column, dof.coordinate, 0, 0}, channel, dof);
+      add_column(change, {ColumnSource::From::Column, dof.coordinate, 0, 0}, channel, dof);
       is_there = true;
     }
     if (is_there) continue;
     const double value = context.adds_positions ? 0 : std::exchange(change.offset[axis], 0.0);
-    add_column(change, {NewColumn::From::Constant, 0, value, 0}, channel,
+    add_column(change, {ColumnSource::From::Constant, 0, value, 0}, channel,
                DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, value});
   }
 }
@@ -147,7 +146,8 @@ void replace_positions(const Context& context, const Joint& joint, JointChange& 
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    add_column(change, {NewColumn::From::Position, 0, 0, k}, channel_name(DofKind::Translation, k),
+    add_column(change, {ColumnSource::From::Position, 0, 0, k},
+               channel_name(DofKind::Translation, k),
                DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, rest[axis]});
   }
 }
@@ -162,11 +162,11 @@ void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(order[k]);
     change.axes[k] = Vec3::Unit(axis);
-    NewColumn column{NewColumn::From::Angle, 0, 0, k};
-    if (is_kept) column.from = NewColumn::From::Constant;
+    ColumnSource column{ColumnSource::From::Angle, 0, 0, k};
+    if (is_kept) column.from = ColumnSource::From::Constant;
     if (is_kept && next_old < change.old_rotations.size() &&
         axis_of(change.old_rotations[next_old]) == order[k]) {
-      column = {NewColumn::From::Column, change.old_rotations[next_old].coordinate, 0, 0};
+      column = {ColumnSource::From::Column, change.old_rotations[next_old].coordinate, 0, 0};
       ++next_old;
     }
     add_column(change, column, channel_name(DofKind::Rotation, order[k]),
@@ -188,7 +188,7 @@ void keep_others(const Context& context, std::size_t joint_index, JointChange& c
   for (const std::size_t c : context.columns_of_joint[joint_index]) {
     const auto dof = reader_of(skeleton.joints[joint_index], c);
     if (dof && (dof->kind == DofKind::Translation || dof->kind == DofKind::Rotation)) continue;
-    add_column(change, {NewColumn::From::Column, c, 0, 0}, skeleton.coordinates[c].channel, dof);
+    add_column(change, {ColumnSource::From::Column, c, 0, 0}, skeleton.coordinates[c].channel, dof);
   }
 }
 
@@ -203,7 +203,7 @@ JointChange unchanged(const Context& context, std::size_t joint_index) {
     for (std::size_t d = 0; d < joint.dofs.size(); ++d) {
       if (joint.dofs[d].coordinate == c) change.dofs[d].coordinate = change.columns.size();
     }
-    change.columns.push_back({NewColumn::From::Column, c, 0, 0});
+    change.columns.push_back({ColumnSource::From::Column, c, 0, 0});
     change.channels.push_back(skeleton.coordinates[c].channel);
   }
   return change;
@@ -246,7 +246,7 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   } else if (is_as_is) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::Translation) continue;
-      add_column(change, {NewColumn::From::Column, dof.coordinate, 0, 0},
+      add_column(change, {ColumnSource::From::Column, dof.coordinate, 0, 0},
                  channel_name(DofKind::Translation, *axis_of(dof)), dof);
     }
   } else if (has_positions) {
@@ -285,14 +285,14 @@ void fill_columns(const Motion& source, std::size_t joint_index, const JointChan
     }
     const Vec3 position = position_in_row(change, base, row);
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
-      const NewColumn& column = change.columns[c];
+      const ColumnSource& column = change.columns[c];
       double& value = out.row(f)[first_column + c];
-      if (column.from == NewColumn::From::Column) value = row[column.column];
-      if (column.from == NewColumn::From::Constant) value = column.constant;
-      if (column.from == NewColumn::From::Angle) {
+      if (column.from == ColumnSource::From::Column) value = row[column.column];
+      if (column.from == ColumnSource::From::Constant) value = column.constant;
+      if (column.from == ColumnSource::From::Angle) {
         value = angles[static_cast<Eigen::Index>(column.component)] / radians_per(unit);
       }
-      if (column.from == NewColumn::From::Position) {
+      if (column.from == ColumnSource::From::Position) {
         value = position[static_cast<Eigen::Index>(column.component)];
       }
     }
@@ -367,4 +367,4 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::shape

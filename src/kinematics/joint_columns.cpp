@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edit/skeleton_facts.hpp"
+#include "kinematics/joint_columns.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -18,33 +18,34 @@ bool all_finite(std::span<const double> numbers) {
                      [](double number) { return std::isfinite(number); });
 }
 
-std::vector<Slide> slides_of(const Joint& joint) {
-  std::vector<Slide> slides;
+std::vector<TranslationColumn> translation_columns(const Joint& joint) {
+  std::vector<TranslationColumn> translations;
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind == DofKind::Translation) {
-      slides.push_back({joint.rest_rotation * dof.axis, dof.coordinate});
+      translations.push_back({joint.rest_rotation * dof.axis, dof.coordinate});
     }
     for (std::size_t k = 0; dof.kind == DofKind::Free && k < 3; ++k) {
       const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(k));
-      slides.push_back({joint.rest_rotation * axis, dof.coordinate + k});
+      translations.push_back({joint.rest_rotation * axis, dof.coordinate + k});
     }
   }
-  return slides;
+  return translations;
 }
 
-Vec3 position_in_row(const Joint& joint, const std::vector<Slide>& slides,
+Vec3 position_in_row(const Joint& joint, const std::vector<TranslationColumn>& translations,
                      std::span<const double> row) {
   Vec3 position = joint.offset;
-  for (const Slide& slide : slides) position += row[slide.column] * slide.axis;
+  for (const TranslationColumn& translation : translations)
+    position += row[translation.column] * translation.axis;
   return position;
 }
 
-double fit_position(const Joint& joint, const std::vector<Slide>& slides, const Vec3& position,
-                    std::span<double> row) {
-  if (slides.empty()) return (position - joint.offset).norm();
-  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(slides.size()));
-  for (std::size_t k = 0; k < slides.size(); ++k) {
-    axes.col(static_cast<Eigen::Index>(k)) = slides[k].axis;
+double fit_position(const Joint& joint, const std::vector<TranslationColumn>& translations,
+                    const Vec3& position, std::span<double> row) {
+  if (translations.empty()) return (position - joint.offset).norm();
+  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(translations.size()));
+  for (std::size_t k = 0; k < translations.size(); ++k) {
+    axes.col(static_cast<Eigen::Index>(k)) = translations[k].axis;
   }
   constexpr double kSquare = 1e-12;
   const Vec3 wanted = position - joint.offset;
@@ -53,8 +54,8 @@ double fit_position(const Joint& joint, const std::vector<Slide>& slides, const 
   const Eigen::VectorXd values =
       is_square ? Eigen::VectorXd(axes.transpose() * wanted)
                 : Eigen::VectorXd(axes.completeOrthogonalDecomposition().solve(wanted));
-  for (std::size_t k = 0; k < slides.size(); ++k) {
-    row[slides[k].column] = values[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < translations.size(); ++k) {
+    row[translations[k].column] = values[static_cast<Eigen::Index>(k)];
   }
   return (axes * values - wanted).norm();
 }

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bridge/robot.hpp"
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
+#include "robot/robot.hpp"
 
-namespace kinefile {
+namespace kinefile::robot {
 namespace {
-
-constexpr std::size_t kRootColumns = 7;
 
 void warn(Diagnostics& diagnostics, std::string message) {
   diagnostics.add(Severity::Warning, "BRG014", std::move(message));
@@ -137,7 +135,7 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
   }
   const bool has_all_links =
       recorded.links != nullptr && recorded.links->num_parts >= skeleton.joints.size();
-  if (recorded.joints == nullptr && has_all_links) bridging::find_joints(*recorded.links, posed);
+  if (recorded.joints == nullptr && has_all_links) find_joints(*recorded.links, posed);
   return posed;
 }
 
@@ -154,7 +152,7 @@ void put_recorded_links(const BodyMotion& motion, const Skeleton& skeleton, Pose
       const std::size_t at = row * poses.num_joints + j;
       std::copy_n(recorded.begin(), 3,
                   poses.positions.begin() + static_cast<std::ptrdiff_t>(at * 3));
-      const Quat q = bridging::rotation_of(*links, recorded);
+      const Quat q = rotation_of(*links, recorded);
       if (!poses.rotations.empty()) {
         const Quat shown = q.w() < 0 ? Quat(-q.coeffs()) : q;
         const double numbers[] = {shown.w(), shown.x(), shown.y(), shown.z()};
@@ -195,7 +193,7 @@ Result<std::vector<LinkDeviation>> compare_recorded_links(const BodyMotion& moti
         const double distance = (Vec3(poses.positions.data() + at * 3) - position).norm();
         const double* q = poses.rotations.data() + at * 4;
         const double degrees =
-            angle_between(Quat(q[0], q[1], q[2], q[3]), bridging::rotation_of(*links, recorded)) /
+            angle_between(Quat(q[0], q[1], q[2], q[3]), rotation_of(*links, recorded)) /
             kRadiansPerDegree;
         LinkDeviation& deviation = deviations[j];
         if (distance > deviation.distance) {
@@ -212,4 +210,4 @@ Result<std::vector<LinkDeviation>> compare_recorded_links(const BodyMotion& moti
   return deviations;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::robot

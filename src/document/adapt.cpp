@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "kinefile/bridge.hpp"
-#include "kinefile/channels.hpp"
 #include "kinefile/convert.hpp"
+#include "kinefile/shape.hpp"
 
 namespace kinefile {
 namespace {
 
 /// The order that Acclaim's bones turn in, and the usual one of BVH files made from them.
-constexpr RotationOrder kUsualOrder = {2, 1, 0};
+constexpr shape::RotationOrder kUsualOrder = {2, 1, 0};
 
 bool turns_at_rest(const Joint& joint) {
   return !joint.rest_rotation.isApprox(Quat::Identity(), 0);
 }
 
-bool asks_for_channels(const ChannelOptions& channels) {
-  return channels.order || channels.positions != PositionChannels::AsIs;
+bool asks_for_channels(const shape::ChannelOptions& channels) {
+  return channels.order || channels.positions != shape::PositionChannels::AsIs;
 }
 
 /// The motion with its angles in degrees. Every column is read by one degree of freedom.
@@ -35,39 +34,40 @@ Motion in_degrees(Motion motion) {
   return motion;
 }
 
-Result<Motion> for_bvh(const Motion& motion, ChannelOptions channels, Diagnostics& diagnostics) {
-  auto aligned = with_world_aligned_rest(motion);
+Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
+                       Diagnostics& diagnostics) {
+  auto aligned = shape::with_world_aligned_rest(motion);
   if (!aligned) return aligned;
-  auto inherited = without_tail_translations(*aligned, channels.lenient, diagnostics);
+  auto inherited = shape::without_tail_translations(*aligned, channels.lenient, diagnostics);
   if (!inherited) return inherited;
   channels.usual_order = kUsualOrder;
   channels.replaces_offsets = true;  // as BVH files are read
-  auto plain = with_channels(without_inner_tips(*inherited), channels, diagnostics);
+  auto plain = shape::with_channels(shape::without_inner_tips(*inherited), channels, diagnostics);
   if (!plain) return plain;
-  return in_degrees(without_unread_columns(*plain));
+  return in_degrees(shape::without_unread_columns(*plain));
 }
 
-Result<Motion> for_bones(Motion motion, ChannelOptions channels, Diagnostics& diagnostics) {
+Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
   const auto& joints = motion.skeleton.joints;
   const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
     return joint.parent != kNoParent && turns_at_rest(joint);
   });
   if (is_turned) {
-    auto aligned = with_world_aligned_rest(motion);
+    auto aligned = shape::with_world_aligned_rest(motion);
     if (!aligned) return aligned;
     motion = std::move(*aligned);
   }
   // No bone turns twice about one axis.
-  const bool has_repeated_axes =
-      std::any_of(motion.skeleton.joints.begin(), motion.skeleton.joints.end(), repeats_an_axis);
+  const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
+                                             motion.skeleton.joints.end(), shape::repeats_an_axis);
   if (has_repeated_axes || asks_for_channels(channels)) {
     channels.usual_order = kUsualOrder;
     channels.distinct_axes = true;
-    auto changed = with_channels(motion, channels, diagnostics);
+    auto changed = shape::with_channels(motion, channels, diagnostics);
     if (!changed) return changed;
     motion = std::move(*changed);
   }
-  return with_bones(motion, channels.lenient, diagnostics);
+  return shape::with_bones(motion, channels.lenient, diagnostics);
 }
 
 /// The motion of a document, or its skeleton as a motion without frames.
@@ -90,8 +90,8 @@ Motion with_ends(Motion motion) {
 
 }  // namespace
 
-Result<Document> adapted_to(const Format& format, Document document, const ChannelOptions& channels,
-                            Diagnostics& diagnostics) {
+Result<Document> adapted_to(const Format& format, Document document,
+                            const shape::ChannelOptions& channels, Diagnostics& diagnostics) {
   const bool is_for_bones = format.name == "asf" || format.name == "amc";
   const bool is_for_bvh = format.name == "bvh" && document.format != "bvh";
   if (!is_for_bones && !is_for_bvh && !asks_for_channels(channels)) return document;
@@ -99,7 +99,7 @@ Result<Document> adapted_to(const Format& format, Document document, const Chann
   const Motion motion = take_motion(document);
   auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
                  : is_for_bvh ? for_bvh(with_ends(motion), channels, diagnostics)
-                              : with_channels(motion, channels, diagnostics);
+                              : shape::with_channels(motion, channels, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
   if (has_motion) {
     document.content = std::move(*adapted);
@@ -133,7 +133,7 @@ Result<Document> on_skeleton_of(const Document& skeleton, Document document,
     return fail(make_error(ErrorKind::Usage, "CNV001",
                            "expected a motion to put on another skeleton, found a skeleton alone"));
   }
-  auto moved = onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
+  auto moved = shape::onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
   if (!moved) return fail(std::move(moved.error()));
   document.content = std::move(*moved);
   document.extras = skeleton.extras;

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "base/words.hpp"
-#include "bridge/angles.hpp"
-#include "bridge/keyframe_search.hpp"
-#include "kinefile/body_bridge.hpp"
-#include "kinefile/servo_motion.hpp"
+#include "kinefile/robot.hpp"
+#include "kinefile/servo.hpp"
+#include "servo/angles.hpp"
+#include "servo/keyframe_search.hpp"
 
-namespace kinefile {
-namespace bridging {
+namespace kinefile::servo {
 
 std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::string& name) {
   const double radians = radians_per(skeleton.angle_unit);
@@ -33,11 +32,7 @@ std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::strin
   return std::nullopt;
 }
 
-}  // namespace bridging
-
 namespace {
-
-constexpr std::size_t kRootColumns = 7;
 
 /// A joint of a map and where its angle stands in a row.
 struct MappedAngle {
@@ -62,7 +57,7 @@ Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& 
   std::vector<MappedAngle> angles;
   std::vector<std::string> missing;
   for (std::size_t e = 0; e < map.entries.size(); ++e) {
-    const std::optional<bridging::AngleColumn> found = find(e);
+    const std::optional<AngleColumn> found = find(e);
     if (found) {
       angles.push_back({e, found->column, found->radians});
     } else {
@@ -82,9 +77,7 @@ Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& 
 /// Where the angles of a skeleton's joints stand in its clip's rows.
 Result<std::vector<MappedAngle>> angles_in(const Skeleton& skeleton, const ServoMap& map,
                                            std::string_view where, Diagnostics& diagnostics) {
-  const auto find = [&](std::size_t e) {
-    return bridging::find_angle(skeleton, map.entries[e].joint);
-  };
+  const auto find = [&](std::size_t e) { return find_angle(skeleton, map.entries[e].joint); };
   return mapped_angles(map, find, where, diagnostics);
 }
 
@@ -94,7 +87,7 @@ Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* 
                                            std::size_t num_parts,
                                            const std::vector<std::string>& names,
                                            Diagnostics& diagnostics) {
-  using Found = std::optional<bridging::AngleColumn>;
+  using Found = std::optional<AngleColumn>;
   const auto find = [&](std::size_t e) {
     if (robot == nullptr && !names.empty()) {
       const auto name = std::find(names.begin(), names.end(), map.entries[e].joint);
@@ -102,7 +95,7 @@ Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* 
                                  : Found({static_cast<std::size_t>(name - names.begin()), 1.0});
     }
     if (robot == nullptr) return e < num_parts ? Found({e, 1.0}) : Found();
-    Found found = bridging::find_angle(*robot, map.entries[e].joint);
+    Found found = find_angle(*robot, map.entries[e].joint);
     if (!found || found->column < kRootColumns) return Found();
     found->column -= kRootColumns;
     return found->column < num_parts ? found : Found();
@@ -111,14 +104,14 @@ Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* 
 }
 
 Result<void> expect_robot(const Skeleton* robot) {
-  if (robot == nullptr || is_robot(*robot)) return {};
+  if (robot == nullptr || robot::is_robot(*robot)) return {};
   return fail(make_error(ErrorKind::Usage, "BRG012",
                          "expected the skeleton of a robot, whose root moves freely and whose "
                          "joints move in one way each"));
 }
 
 /// The angle of a joint at a tick; of a slider that the flow does not have, in the base pose.
-double angle_at(const FlowRun& run, std::size_t tick, const ServoMap& map,
+double angle_at(const flow::Run& run, std::size_t tick, const ServoMap& map,
                 const ServoMapEntry& entry) {
   if (entry.slider >= run.num_sliders) {
     const bool has_base = entry.slider < map.base_pose.size();
@@ -135,7 +128,7 @@ Timeline timeline_of(const ServoMap& map) {
 }
 
 /// The rows of a run: a row at rest, with the joints' angles put in.
-std::vector<double> rows_of(const FlowRun& run, const ServoMap& map,
+std::vector<double> rows_of(const flow::Run& run, const ServoMap& map,
                             const std::vector<double>& rest,
                             const std::vector<MappedAngle>& angles) {
   std::vector<double> values;
@@ -152,7 +145,7 @@ std::vector<double> rows_of(const FlowRun& run, const ServoMap& map,
 }
 
 /// Tells of sliders that the flow does not have.
-void tell_missing_sliders(const FlowRun& run, const ServoMap& map,
+void tell_missing_sliders(const flow::Run& run, const ServoMap& map,
                           const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
   std::vector<std::string> missing;
   for (const MappedAngle& angle : angles) {
@@ -201,7 +194,7 @@ Result<JointTrajectory> trajectory_of_rows(const Rows& rows, const ServoMap& map
     }
     return trajectory;
   }
-  const auto num_ticks = bridging::num_ticks_of(times.back() - times.front(), map.tick_seconds);
+  const auto num_ticks = num_ticks_of(times.back() - times.front(), map.tick_seconds);
   if (!num_ticks) return fail(num_ticks.error());
   trajectory.frame_time = map.tick_seconds;
   trajectory.num_frames = *num_ticks + 1;
@@ -219,7 +212,7 @@ Result<JointTrajectory> trajectory_of_rows(const Rows& rows, const ServoMap& map
 
 }  // namespace
 
-Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleton* robot,
+Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skeleton* robot,
                           Diagnostics& diagnostics) {
   if (const auto is_good = expect_robot(robot); !is_good) return fail(is_good.error());
   std::vector<double> rest(map.entries.size(), 0);
@@ -244,7 +237,7 @@ Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleto
   return motion;
 }
 
-Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skeleton& skeleton,
+Result<Motion> motion_of_run(const flow::Run& run, const ServoMap& map, const Skeleton& skeleton,
                              Diagnostics& diagnostics) {
   const auto angles = angles_in(skeleton, map, "skeleton", diagnostics);
   if (!angles) return fail(angles.error());
@@ -300,4 +293,4 @@ Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& 
       {joints->values, joints->num_frames, joints->num_parts, joints->timeline}, map, *angles);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::servo

@@ -11,7 +11,7 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
-namespace kinefile {
+namespace kinefile::robot {
 
 /// A component as a motion of loose parts: every pose a joint that moves freely (roll, pitch and
 /// yaw three translations and three rotations), every vector one that moves along x, y and z, every
@@ -101,7 +101,6 @@ bool is_robot(const Skeleton& skeleton);
 /// Brings ZMP into the world's frame, or into the root link's: z = R^-1 (p - root). Choreonoid's
 /// own function computes R^-1 p - root.
 /// \errors BRG010 (Usage) if there is no ZMP or no link pose
-Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
-                            Diagnostics& diagnostics);
+Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnostics& diagnostics);
 
-}  // namespace kinefile
+}  // namespace kinefile::robot

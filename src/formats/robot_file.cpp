@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "formats/robot.hpp"
+#include "formats/robot_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "text/decode.hpp"
 
-namespace kinefile::robot {
+namespace kinefile::robot_file {
 namespace {
 
 /// How far a length may be from 1 for nobody to be told. A wrong seventh digit moves nothing.
@@ -290,4 +290,4 @@ Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Di
   return std::move(*document);
 }
 
-}  // namespace kinefile::robot
+}  // namespace kinefile::robot_file

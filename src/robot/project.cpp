@@ -5,13 +5,11 @@
 
 #include <algorithm>
 
-#include "bridge/robot.hpp"
-#include "kinefile/body_bridge.hpp"
+#include "kinefile/robot.hpp"
+#include "robot/robot.hpp"
 
-namespace kinefile {
+namespace kinefile::robot {
 namespace {
-
-constexpr std::size_t kRootColumns = 7;
 
 Component component_like(ComponentKind kind, std::string_view content, const Motion& motion,
                          std::size_t num_parts) {
@@ -90,8 +88,7 @@ Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion
   return body;
 }
 
-Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
-                            Diagnostics& diagnostics) {
+Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnostics& diagnostics) {
   const Component* links = find_component(motion, ComponentKind::Poses, kLinkPosition);
   const Component* zmp = find_component(motion, ComponentKind::Vectors, kZmp);
   if (zmp != nullptr && zmp->is_root_relative == is_root_relative) return motion;
@@ -110,7 +107,7 @@ Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
   out.is_root_relative = is_root_relative;
   for (std::size_t f = 0; f < out.num_frames; ++f) {
     const auto root = links->row(std::min(f, links->num_frames - 1)).first(links->width());
-    const Quat rotation = bridging::rotation_of(*links, root);
+    const Quat rotation = rotation_of(*links, root);
     const Vec3 position(root[0], root[1], root[2]);
     const auto row = out.row(f);
     const Vec3 point(row[0], row[1], row[2]);
@@ -121,4 +118,4 @@ Result<BodyMotion> with_zmp(const BodyMotion& motion, bool is_root_relative,
   return changed;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::robot

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/words.hpp"
-#include "kinefile/bridge.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinefile/shape.hpp"
 
-namespace kinefile {
+namespace kinefile::shape {
 namespace {
 
 void warn(Diagnostics& diagnostics, std::string message) {
@@ -186,4 +186,4 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
   return result;
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::shape

@@ -14,7 +14,7 @@
 #include "text/source.hpp"
 
 // What the formats of robot models have in common: a list of links, of which a skeleton is made.
-namespace kinefile::robot {
+namespace kinefile::robot_file {
 
 enum class JointType {
   Fixed,
@@ -99,4 +99,4 @@ Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Di
                            std::string_view format, const Codes& codes, std::string_view bytes,
                            const ReadOptions& options, Diagnostics& diagnostics);
 
-}  // namespace kinefile::robot
+}  // namespace kinefile::robot_file

@@ -11,7 +11,7 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/servo_map.hpp"
 
-namespace kinefile {
+namespace kinefile::servo {
 
 /// Angles of joints over time, each joint by its name.
 struct JointTrajectory {
@@ -24,12 +24,12 @@ struct JointTrajectory {
 /// What a robot did, as displacements of joints at every tick.
 /// \param robot  joint ids are those of its joints; null: the map's entries in their order
 /// \errors SVM010 (Usage) if no joint of the map is the robot's; others are told and left out
-Result<BodyMotion> unroll(const FlowRun& run, const ServoMap& map, const Skeleton* robot,
+Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skeleton* robot,
                           Diagnostics& diagnostics);
 
 /// The same, of a skeleton whose joints a map names, a robot's or a figure's; all else rests.
 /// \errors SVM010 (Usage) if it has none of them
-Result<Motion> motion_of_run(const FlowRun& run, const ServoMap& map, const Skeleton& skeleton,
+Result<Motion> motion_of_run(const flow::Run& run, const ServoMap& map, const Skeleton& skeleton,
                              Diagnostics& diagnostics);
 
 /// The joints that a map names, out of a motion: by joint or JOINT.CHANNEL, whatever its angle
@@ -71,7 +71,7 @@ struct Keyframes {
 
 /// Makes a flow of poses that follows a trajectory, from its first frame to its last. Times of
 /// poses are whole ticks, 1 to 239 apart; dynamic programming over all of them finds those whose
-/// lines between words, rounded and limited as the map says and as `run_flow` goes, keep closest
+/// lines between words, rounded and limited as the map says and as `flow::run` goes, keep closest
 /// to the trajectory at every tick: with `num_poses` the least largest error, with `tolerance` the
 /// fewest poses.
 /// Of several best flows it is one with the fewest poses, and with the least largest error.
@@ -86,4 +86,4 @@ struct Keyframes {
 Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& map,
                            const KeyframeOptions& options, Diagnostics& diagnostics);
 
-}  // namespace kinefile
+}  // namespace kinefile::servo

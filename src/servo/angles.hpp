@@ -8,7 +8,7 @@
 
 #include "kinefile/skeleton.hpp"
 
-namespace kinefile::bridging {
+namespace kinefile::servo {
 
 /// The column of a skeleton that holds an angle alone.
 struct AngleColumn {
@@ -20,4 +20,4 @@ struct AngleColumn {
 /// way, or of one of a joint's rotations, JOINT.CHANNEL. \return nothing if there is none
 std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::string& name);
 
-}  // namespace kinefile::bridging
+}  // namespace kinefile::servo

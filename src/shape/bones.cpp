@@ -7,9 +7,9 @@
 #include <set>
 
 #include "base/words.hpp"
-#include "kinefile/bridge.hpp"
+#include "kinefile/shape.hpp"
 
-namespace kinefile {
+namespace kinefile::shape {
 namespace {
 
 constexpr char kNoteCode[] = "BRG005";
@@ -290,4 +290,4 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
   return std::move(builder.result);
 }
 
-}  // namespace kinefile
+}  // namespace kinefile::shape

@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace kinefile;
-  using namespace kinefile::testing;
+  using namespace kinefile::test;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   Diagnostics diagnostics;
   const auto decoded = text::decode(bytes, "utf-8", {}, diagnostics);

@@ -80,7 +80,7 @@ ReadText random_motion(Random& random) {
   return read_bvh(random_bvh(random), options);
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+bool bits_agree(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
@@ -95,7 +95,7 @@ TEST(Properties, WhatIsWrittenReadsTheSame) {
     const bool is_added = first.document->extras.file.at("positions") == "add";
     options.positions = is_added ? PositionMode::Add : PositionMode::Replace;
     const ReadText second = read_bvh(text, options);
-    EXPECT_TRUE(same_bits(first.motion().clip.values, second.motion().clip.values));
+    EXPECT_TRUE(bits_agree(first.motion().clip.values, second.motion().clip.values));
     EXPECT_EQ(write_to_string(*second.document), text);
     EXPECT_EQ(first.motion().clip.num_frames, second.motion().clip.num_frames);
   }
@@ -234,7 +234,7 @@ TEST(Properties, OtherChannelsMoveTheSame) {
     EXPECT_LT(comparison.distance.value, 1e-10 * size);
     EXPECT_LT(comparison.tip_distance.value, 1e-10 * size);
     EXPECT_LT(comparison.rotation.value, 1e-8);
-    EXPECT_TRUE(same_bits(before.clip.values, read.motion().clip.values)) << "input unmodified";
+    EXPECT_TRUE(bits_agree(before.clip.values, read.motion().clip.values)) << "input unmodified";
   }
 }
 

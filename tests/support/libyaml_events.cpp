@@ -4,7 +4,7 @@
 
 #include "support/yaml_events.hpp"
 
-namespace kinefile::testing {
+namespace kinefile::test {
 namespace {
 
 std::string_view text_of(const yaml_char_t* text) {
@@ -90,4 +90,4 @@ std::optional<std::string> libyaml_events(std::string_view text) {
   return is_good ? std::optional(lines) : std::nullopt;
 }
 
-}  // namespace kinefile::testing
+}  // namespace kinefile::test

@@ -81,6 +81,14 @@ std::vector<std::string> fixtures(const std::string& folder, const std::string& 
   return names;
 }
 
+std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 std::string data_folder() {
   const char* folder = std::getenv("KINEFILE_TEST_DATA");
   return folder != nullptr && std::filesystem::is_directory(folder) ? folder : "";

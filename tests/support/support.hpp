@@ -44,6 +44,12 @@ std::string bytes_of(const std::string& path);
 std::string fixture(const std::string& name);
 std::vector<std::string> fixtures(const std::string& folder, const std::string& extension);
 
+/// The name of a file without its folders.
+std::string base_name(const std::string& path);
+
+/// The text with the first occurrence of `from` replaced; fails the test if there is none.
+std::string replaced(std::string text, std::string_view from, std::string_view to);
+
 /// The folder of real files, or empty where it is not there.
 std::string data_folder();
 

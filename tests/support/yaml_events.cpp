@@ -8,7 +8,7 @@
 #include "text/numbers.hpp"
 #include "text/yaml/parser.hpp"
 
-namespace kinefile::testing {
+namespace kinefile::test {
 namespace {
 
 using text::yaml::Event;
@@ -142,4 +142,4 @@ std::optional<std::string> yaml_events(std::string_view text, YamlEventOptions o
   return std::nullopt;
 }
 
-}  // namespace kinefile::testing
+}  // namespace kinefile::test

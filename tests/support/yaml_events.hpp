@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace kinefile::testing {
+namespace kinefile::test {
 
 /// How to list events.
 struct YamlEventOptions {
@@ -21,4 +21,4 @@ std::optional<std::string> yaml_events(std::string_view text, YamlEventOptions o
 /// The events of a YAML text by libyaml, in the same words.
 std::optional<std::string> libyaml_events(std::string_view text);
 
-}  // namespace kinefile::testing
+}  // namespace kinefile::test

@@ -15,7 +15,7 @@ flow::RunOptions loops(std::uint64_t count) {
   return options;
 }
 
-Error fault_of(const PoseFlow& flow, const flow::RunOptions& options = {}) {
+Error run_fault(const PoseFlow& flow, const flow::RunOptions& options = {}) {
   Diagnostics diagnostics;
   const auto run = flow::run(flow, options, diagnostics);
   EXPECT_FALSE(run);
@@ -205,7 +205,7 @@ TEST(RunFlow, RefusesToDivideByZeroUnlessAskedTo) {
                                  variable_block(70, Arithmetic::Divide, 71, 3), end_block()});
   flow::RunOptions options;
   options.variables = {{70, 5}};
-  const Error fault = fault_of(flow, options);
+  const Error fault = run_fault(flow, options);
   EXPECT_EQ(to_string(fault),
             ":30:1: error[RUN001]: block 2 divides variable 70 by zero at tick 3");
   EXPECT_EQ(fault.kind, ErrorKind::InvalidInput);
@@ -291,12 +291,12 @@ TEST(RunFlow, NoticesBlocksThatGoRoundWithoutAPose) {
   const PoseFlow around = v1r4_of({start_block(1), pose_block(2, {0}, 2), loop_block(3, 3),
                                    branch_block(64, Condition::Never, 0, 2, 4), end_block()});
   EXPECT_EQ(
-      to_string(fault_of(around)),
+      to_string(run_fault(around)),
       ":30:1: error[RUN003]: the flow goes round without a pose at block 2, tick 2, or through "
       "more than 100000 blocks at once");
   // A counter that wraps around comes back to where it was only after 65536 rounds.
   const PoseFlow counting = v1r4_of({start_block(1), constant_block(64, Arithmetic::Add, 1, 1)});
-  EXPECT_EQ(fault_of(counting).code, "RUN003");
+  EXPECT_EQ(run_fault(counting).code, "RUN003");
   // One that leaves is none.
   const PoseFlow leaving = v1r4_of({start_block(1), constant_block(64, Arithmetic::Add, 1, 2),
                                     branch_block(64, Condition::AtLeast, 1000, 1, 3), end_block()});
@@ -306,9 +306,9 @@ TEST(RunFlow, NoticesBlocksThatGoRoundWithoutAPose) {
 }
 
 TEST(RunFlow, NeedsABeginning) {
-  EXPECT_EQ(to_string(fault_of(v1r4_of({end_block()}))),
+  EXPECT_EQ(to_string(run_fault(v1r4_of({end_block()}))),
             "error[RUN004]: expected a start block, found none");
-  EXPECT_EQ(fault_of(word_n_of({})).code, "RUN004");
+  EXPECT_EQ(run_fault(word_n_of({})).code, "RUN004");
 }
 
 TEST(RunFlow, LeavesTheFlowAsItIsAndIsTheSameAgain) {

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own for each test, gone afterwards.
-class Disk : public testing::Test {
+class Disk : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string name = fs::temp_directory_path() / "kinefile-test.XXXXXX";

@@ -25,7 +25,7 @@ Result<servo::Keyframes> with_poses(const servo::JointTrajectory& trajectory, co
   return servo::keyframe(trajectory, map, {.num_poses = num_poses, .tolerance = {}}, diagnostics);
 }
 
-const PoseBlock& pose_of(const PoseFlow& flow, std::size_t block) {
+const PoseBlock& made_pose(const PoseFlow& flow, std::size_t block) {
   return std::get<PoseBlock>(flow.blocks.at(block).body);
 }
 
@@ -59,11 +59,11 @@ TEST(Keyframe, LinesBecomeAPoseAtTheirEnds) {
   EXPECT_EQ(made->ticks, (Ticks{0, 3, 9}));
   ASSERT_EQ(made->flow.blocks.size(), 5u);
   EXPECT_EQ(made->flow.num_sliders, 62u);
-  EXPECT_EQ(pose_of(made->flow, 1).ticks, 60);  // the lead-in
-  EXPECT_EQ(pose_of(made->flow, 2).ticks, 3);
-  EXPECT_EQ(pose_of(made->flow, 3).ticks, 6);
-  EXPECT_EQ(pose_of(made->flow, 2).words[0], (SliderWord{300, true}));
-  EXPECT_EQ(pose_of(made->flow, 2).words[1], (SliderWord{0, false}));
+  EXPECT_EQ(made_pose(made->flow, 1).ticks, 60);  // the lead-in
+  EXPECT_EQ(made_pose(made->flow, 2).ticks, 3);
+  EXPECT_EQ(made_pose(made->flow, 3).ticks, 6);
+  EXPECT_EQ(made_pose(made->flow, 2).words[0], (SliderWord{300, true}));
+  EXPECT_EQ(made_pose(made->flow, 2).words[1], (SliderWord{0, false}));
   EXPECT_EQ(largest_error(*made), 0);
 }
 
@@ -90,7 +90,7 @@ TEST(Keyframe, AsWordNThePosesFollowEachOther) {
   ASSERT_EQ(made->flow.blocks.size(), 3u);
   EXPECT_EQ(made->flow.blocks[0].normal, 1);
   EXPECT_EQ(made->flow.blocks[2].normal, kNoBlock);
-  EXPECT_EQ(pose_of(made->flow, 1).words[0], (SliderWord{300, true}));
+  EXPECT_EQ(made_pose(made->flow, 1).words[0], (SliderWord{300, true}));
 }
 
 TEST(Keyframe, StretchesAreSplitAt239Ticks) {
@@ -106,7 +106,7 @@ TEST(Keyframe, OneFrameIsOnePose) {
   const auto made = with_tolerance(trajectory_of_degrees({12.5}), map_of_joints(1), 0);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->ticks, Ticks{0});
-  EXPECT_EQ(pose_of(made->flow, 1).words[0].value, 1250);
+  EXPECT_EQ(made_pose(made->flow, 1).words[0].value, 1250);
 }
 
 TEST(Keyframe, TheLastFrameIsShownAtTheTickAfterIt) {
@@ -115,7 +115,7 @@ TEST(Keyframe, TheLastFrameIsShownAtTheTickAfterIt) {
   const auto made = with_tolerance(trajectory, map_of_joints(1), 1);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->ticks.back(), 5u);
-  EXPECT_EQ(pose_of(made->flow, made->flow.blocks.size() - 2).words[0].value, 2000);
+  EXPECT_EQ(made_pose(made->flow, made->flow.blocks.size() - 2).words[0].value, 2000);
 }
 
 TEST(Keyframe, BetweenFramesTheTrajectoryIsALine) {
@@ -132,8 +132,8 @@ TEST(Keyframe, SignAndOffsetSayWhatAWordMeans) {
   map.entries[0].offset = 50;
   const auto made = with_tolerance(trajectory_of_degrees({1, 2}), map, 0);
   ASSERT_TRUE(made);
-  EXPECT_EQ(pose_of(made->flow, 1).words[0].value, -50);
-  EXPECT_EQ(pose_of(made->flow, 2).words[0].value, -150);
+  EXPECT_EQ(made_pose(made->flow, 1).words[0].value, -50);
+  EXPECT_EQ(made_pose(made->flow, 2).words[0].value, -150);
 }
 
 TEST(Keyframe, WordsAreRoundedToStepsWithinLimits) {
@@ -142,7 +142,7 @@ TEST(Keyframe, WordsAreRoundedToStepsWithinLimits) {
   map.entries[0].maximum = 400;  // -200, -72, 56, 184, 312
   const auto made = with_poses(trajectory_of_degrees({1.3, -1.1, 99}), map, 3);
   ASSERT_TRUE(made);
-  const auto word = [&](std::size_t block) { return pose_of(made->flow, block).words[0].value; };
+  const auto word = [&](std::size_t block) { return made_pose(made->flow, block).words[0].value; };
   EXPECT_EQ(word(1), 184);
   EXPECT_EQ(word(2), -72);
   EXPECT_EQ(word(3), 312);

@@ -9,7 +9,7 @@
 namespace kinefile {
 namespace {
 
-Quat about(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis)); }
+Quat turn(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis)); }
 
 Quat negated(const Quat& q) { return Quat(Quat::Coefficients(-q.coeffs())); }
 
@@ -53,16 +53,16 @@ TEST(Slerp, EqualQuaternionsGiveThemselves) {
 }
 
 TEST(Slerp, NearlyEqualQuaternionsKeepTheirDigits) {
-  const Quat a = about(Vec3(1, 2, -2) / 3, 0.7);
+  const Quat a = turn(Vec3(1, 2, -2) / 3, 0.7);
   for (double angle = 1e-3; angle > 1e-14; angle /= 10) {
-    const Quat b = a * about(Vec3::UnitY(), angle);
-    EXPECT_LT(distance(slerp(a, b, 0.25), a * about(Vec3::UnitY(), angle / 4)), 3e-16) << angle;
+    const Quat b = a * turn(Vec3::UnitY(), angle);
+    EXPECT_LT(distance(slerp(a, b, 0.25), a * turn(Vec3::UnitY(), angle / 4)), 3e-16) << angle;
   }
 }
 
 TEST(Slerp, HalfATurnApartTakesOneOfTheTwoWays) {
-  const Quat a = about(Vec3::UnitZ(), 0.4);
-  const Quat b = a * about(Vec3::UnitX(), std::numbers::pi);
+  const Quat a = turn(Vec3::UnitZ(), 0.4);
+  const Quat b = a * turn(Vec3::UnitX(), std::numbers::pi);
   const Quat q = slerp(a, b, 0.5);
   EXPECT_NEAR(angle_between(a, q), std::numbers::pi / 2, 1e-15);
   EXPECT_NEAR(angle_between(b, q), std::numbers::pi / 2, 1e-15);
@@ -97,8 +97,8 @@ TEST(LogAndExp, AreInverseToEachOther) {
 
 TEST(Log, IsHalfTheRotationVectorOfEitherTwin) {
   const Vec3 axis = Vec3(3, 4, 12) / 13;
-  EXPECT_LT((log_of(about(axis, 1.2)) - 0.6 * axis).norm(), 1e-15);
-  EXPECT_LT((log_of(negated(about(axis, 1.2))) - 0.6 * axis).norm(), 1e-15);
+  EXPECT_LT((log_of(turn(axis, 1.2)) - 0.6 * axis).norm(), 1e-15);
+  EXPECT_LT((log_of(negated(turn(axis, 1.2))) - 0.6 * axis).norm(), 1e-15);
 }
 
 TEST(Squad, GoesThroughItsEnds) {
@@ -116,9 +116,9 @@ TEST(Squad, GoesThroughItsEnds) {
 }
 
 TEST(Squad, IsSmoothWhereTwoPiecesMeet) {
-  const Quat q[] = {about(Vec3::UnitX(), 0.1), about(Vec3(0.6, 0.8, 0), 0.5),
-                    about(Vec3(0, 0.6, 0.8), 0.7), about(Vec3::UnitY(), 1.1),
-                    about(Vec3(0.8, 0, 0.6), 1.0)};
+  const Quat q[] = {turn(Vec3::UnitX(), 0.1), turn(Vec3(0.6, 0.8, 0), 0.5),
+                    turn(Vec3(0, 0.6, 0.8), 0.7), turn(Vec3::UnitY(), 1.1),
+                    turn(Vec3(0.8, 0, 0.6), 1.0)};
   const Quat control[] = {squad_control(q[0], q[1], q[2]), squad_control(q[1], q[2], q[3]),
                           squad_control(q[2], q[3], q[4])};
   constexpr double kStep = 1e-5;
@@ -133,7 +133,7 @@ TEST(Squad, IsSmoothWhereTwoPiecesMeet) {
 
 TEST(Squad, AConstantTurnStaysConstant) {
   const Vec3 axis = Vec3(2, 3, 6) / 7;
-  const auto at = [&axis](double frame) { return about(axis, 0.3 * frame); };
+  const auto at = [&axis](double frame) { return turn(axis, 0.3 * frame); };
   const Quat control_a = squad_control(at(0), at(1), at(2));
   const Quat control_b = squad_control(at(1), at(2), at(3));
   EXPECT_LT(distance(squad(at(1), control_a, control_b, at(2), 0.3), at(1.3)), 1e-15);

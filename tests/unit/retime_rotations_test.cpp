@@ -22,7 +22,7 @@ Vec3 angles_in(std::span<const double> row, AngleUnit unit) {
   return radians * Vec3(row[0], row[1], row[2]);
 }
 
-Mat3 product(const EulerAxes& axes, const Vec3& angles) {
+Mat3 euler_product(const EulerAxes& axes, const Vec3& angles) {
   return (Eigen::AngleAxisd(angles[0], axes[0]) * Eigen::AngleAxisd(angles[1], axes[1]) *
           Eigen::AngleAxisd(angles[2], axes[2]))
       .toRotationMatrix();
@@ -49,7 +49,7 @@ void expect_row(const Motion& old, const Vec3& found, std::size_t frame, double 
   if (std::abs(a.dot(b)) < 1e-3) return;  // two ways that are as short
   const Quat expected = interpolate(a, b, t);
   const Vec3 near = from + t * (to - from);
-  EXPECT_LT((product(axes, found) - expected.toRotationMatrix()).norm(), 3e-13);
+  EXPECT_LT((euler_product(axes, found) - expected.toRotationMatrix()).norm(), 3e-13);
   const Vec3 angles = euler_angles(expected.toRotationMatrix(), axes, near);
   // Where two triples are as near, either may be taken.
   EXPECT_NEAR((found - near).norm(), (angles - near).norm(), 1e-4);
@@ -157,9 +157,10 @@ TEST(RetimeRotations, CloseToGimbalLockTheRotationIsExact) {
       const Vec3 to(0.4, middle, 0.5);
       const Motion motion = turning_motion(axes, {from, to}, AngleUnit::Radians);
       const Motion half = retimed(motion, {{0.5}});
-      const Quat expected = slerp(Quat(product(axes, from)), Quat(product(axes, to)), 0.5);
+      const Quat expected =
+          slerp(Quat(euler_product(axes, from)), Quat(euler_product(axes, to)), 0.5);
       const Vec3 found = angles_in(half.clip.row(0), AngleUnit::Radians);
-      EXPECT_LT((product(axes, found) - expected.toRotationMatrix()).norm(), 1e-12) << gap;
+      EXPECT_LT((euler_product(axes, found) - expected.toRotationMatrix()).norm(), 1e-12) << gap;
     }
   }
 }
@@ -194,10 +195,10 @@ TEST(RetimeRotations, CubicIsTheSquadOfTheMathematics) {
     const Motion found =
         retimed(motion, {{3.3, 0.5, 6.5}}, {.rotation = retime::RotationInterpolation::Cubic});
     const auto old = [&](std::size_t f, const Quat& near) {
-      return on_side_of(Quat(product(axes, rows[f])), near);
+      return on_side_of(Quat(euler_product(axes, rows[f])), near);
     };
     const auto expect = [&](std::size_t n, const Quat& expected) {
-      const Mat3 rotation = product(axes, angles_in(found.clip.row(n), AngleUnit::Radians));
+      const Mat3 rotation = euler_product(axes, angles_in(found.clip.row(n), AngleUnit::Radians));
       EXPECT_LT((rotation - expected.toRotationMatrix()).norm(), 1e-13);
     };
     const Quat a = old(3, Quat::Identity());

@@ -9,7 +9,7 @@ namespace kinefile {
 namespace {
 
 /// Two joints: a free root, and a hinge about y on it.
-Skeleton robot() {
+Skeleton small_robot() {
   Skeleton skeleton;
   Joint root;
   root.name = "base";
@@ -33,10 +33,10 @@ std::string fault_of(const Skeleton& skeleton) {
   return result ? "" : result.error().message;
 }
 
-TEST(Skeleton, ARobotIsValid) { EXPECT_EQ(fault_of(robot()), ""); }
+TEST(Skeleton, ARobotIsValid) { EXPECT_EQ(fault_of(small_robot()), ""); }
 
 TEST(Skeleton, ParentsComeFirst) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[0].parent = 1;
   EXPECT_EQ(fault_of(skeleton), "joint 'base' comes before its parent");
   skeleton.joints[0].parent = 0;
@@ -44,19 +44,19 @@ TEST(Skeleton, ParentsComeFirst) {
 }
 
 TEST(Skeleton, CoordinatesExist) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[1].dofs[0].coordinate = 8;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' reads coordinate 8 of 8");
-  skeleton = robot();
+  skeleton = small_robot();
   skeleton.joints[0].dofs[0].coordinate = 2;
   EXPECT_EQ(fault_of(skeleton), "joint 'base' reads coordinate 2 of 8");
-  skeleton = robot();
+  skeleton = small_robot();
   skeleton.coordinates[3].joint = 2;
   EXPECT_EQ(fault_of(skeleton), "coordinate 3 belongs to no joint");
 }
 
 TEST(Skeleton, AxesHaveUnitLength) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[1].dofs[0].axis = {0, 1, 1e-3};
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has an axis that is not of unit length");
   skeleton.joints[1].dofs[0].axis = {0, NAN, 0};
@@ -64,34 +64,34 @@ TEST(Skeleton, AxesHaveUnitLength) {
 }
 
 TEST(Skeleton, NumbersAreFinite) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[1].offset[1] = INFINITY;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has an offset that is not finite");
-  skeleton = robot();
+  skeleton = small_robot();
   skeleton.joints[1].tips[1].offset[1] = NAN;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a tip that is not finite");
-  skeleton = robot();
+  skeleton = small_robot();
   skeleton.joints[1].dofs[0].rest = NAN;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a rest value that is not finite");
-  skeleton = robot();
+  skeleton = small_robot();
   skeleton.joints[1].rest_rotation = Quat(2, 0, 0, 0);
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a rest rotation that is not of unit length");
 }
 
 TEST(Skeleton, TranslationsPrecedeRotations) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[1].dofs.push_back({DofKind::Translation, Vec3::UnitX(), 7, 0});
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' translates after it rotates");
 }
 
 TEST(Skeleton, AFreeJointMovesInNoOtherWay) {
-  Skeleton skeleton = robot();
+  Skeleton skeleton = small_robot();
   skeleton.joints[0].dofs.push_back({DofKind::Rotation, Vec3::UnitX(), 7, 0});
   EXPECT_EQ(fault_of(skeleton), "joint 'base' is free and moves in another way, too");
 }
 
 TEST(Skeleton, RestCoordinates) {
-  EXPECT_EQ(rest_coordinates(robot()), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0.5}));
+  EXPECT_EQ(rest_coordinates(small_robot()), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0.5}));
 }
 
 TEST(Skeleton, RestOffsetHoldsTheRestOfTranslations) {
@@ -103,7 +103,7 @@ TEST(Skeleton, RestOffsetHoldsTheRestOfTranslations) {
 }
 
 TEST(Skeleton, CountsAndNames) {
-  const Skeleton skeleton = robot();
+  const Skeleton skeleton = small_robot();
   EXPECT_EQ(num_dofs(skeleton), 7u);
   EXPECT_EQ(num_tips(skeleton), 2u);
   EXPECT_EQ(tip_label(skeleton.joints[1], 0), "hinge.tip");

@@ -25,7 +25,7 @@ std::vector<double> warped(const retime::WarpOptions& options, std::size_t num_f
   return map->old_frames;
 }
 
-std::string fault_of(const retime::WarpOptions& options, std::size_t num_frames = kFrames) {
+std::string warp_fault(const retime::WarpOptions& options, std::size_t num_frames = kFrames) {
   const auto map = retime::warp_map(num_frames, options);
   EXPECT_FALSE(map);
   if (map) return "";
@@ -164,7 +164,7 @@ TEST(WarpMap, AKeyMayCutTheStartOff) {
 
 TEST(WarpMap, HoldsWhereThatIsAllowed) {
   retime::WarpOptions options{.keys = {{100, 100}, {100, 150}}, .tail = retime::Tail::Extend};
-  EXPECT_EQ(fault_of(options),
+  EXPECT_EQ(warp_fault(options),
             "expected keys that go on in the old motion, found 100:100 and 100:150, between which "
             "it stands still; --allow-hold allows it");
   options.allow_hold = true;
@@ -179,7 +179,7 @@ TEST(WarpMap, HoldsWhereThatIsAllowed) {
 
 TEST(WarpMap, RunsBackwardsWhereThatIsAllowed) {
   retime::WarpOptions options{.keys = {{449, 0}, {0, 449}}, .tail = retime::Tail::Uniform};
-  EXPECT_EQ(fault_of(options),
+  EXPECT_EQ(warp_fault(options),
             "expected keys that go on in the old motion, found 449:0 and 0:449, between which it "
             "runs backwards; --allow-reverse allows it");
   options.allow_reverse = true;
@@ -210,7 +210,7 @@ TEST(WarpMap, EasesWithinEveryInterval) {
 TEST(WarpMap, AnEaseThatOvershootsStaysInTheMotion) {
   retime::WarpOptions options{.keys = {{150, 160}}};
   options.ease = *retime::parse_ease("bezier:0.3,-2,0.7,3");
-  EXPECT_EQ(fault_of(options),
+  EXPECT_EQ(warp_fault(options),
             "expected an ease that does not go back, found one that overshoots; --allow-reverse "
             "allows it");
   options.allow_reverse = true;
@@ -220,43 +220,45 @@ TEST(WarpMap, AnEaseThatOvershootsStaysInTheMotion) {
 }
 
 TEST(WarpMap, KeysHaveToFit) {
-  EXPECT_EQ(fault_of({.keys = {{450, 460}}}),
+  EXPECT_EQ(warp_fault({.keys = {{450, 460}}}),
             "expected an old frame from 0 to 449, found the key 450:460");
-  EXPECT_EQ(fault_of({.keys = {{150, -1}}}),
+  EXPECT_EQ(warp_fault({.keys = {{150, -1}}}),
             "expected a new frame from 0 to 134217727, found the key 150:-1");
-  EXPECT_EQ(fault_of({.keys = {{150, 160}, {150.5, 160}}, .allow_hold = true}),
+  EXPECT_EQ(warp_fault({.keys = {{150, 160}, {150.5, 160}}, .allow_hold = true}),
             "expected one key for the new frame 160, found 150:160 and 150.5:160");
-  EXPECT_EQ(fault_of({.keys = {{150, 449}}}),
+  EXPECT_EQ(warp_fault({.keys = {{150, 449}}}),
             "expected keys before the new frame 449, at which a motion that keeps its length "
             "ends, found 150:449; --tail extend lets the length change");
-  EXPECT_EQ(fault_of({.keys = {{449, 500}}}).substr(0, 34), "expected keys before the new frame");
+  EXPECT_EQ(warp_fault({.keys = {{449, 500}}}).substr(0, 34), "expected keys before the new frame");
   for (const double bad : {kNaN, std::numeric_limits<double>::infinity(), -1.0, 1e300}) {
-    EXPECT_NE(fault_of({.keys = {{bad, 10}}, .tail = retime::Tail::Extend}), "");
-    EXPECT_NE(fault_of({.keys = {{10, bad}}, .tail = retime::Tail::Extend}), "");
+    EXPECT_NE(warp_fault({.keys = {{bad, 10}}, .tail = retime::Tail::Extend}), "");
+    EXPECT_NE(warp_fault({.keys = {{10, bad}}, .tail = retime::Tail::Extend}), "");
   }
-  EXPECT_NE(fault_of({.keys = {{0, 0}}}, 0), "");
+  EXPECT_NE(warp_fault({.keys = {{0, 0}}}, 0), "");
   EXPECT_EQ(warped({.keys = {{449, 449}}}).size(), kFrames);
 }
 
 TEST(WarpMap, DoesNotFillTheMemory) {
-  EXPECT_NE(fault_of({.keys = {{1, 2e9}}, .tail = retime::Tail::Uniform}), "");
-  EXPECT_NE(fault_of({.keys = {{1e-300, 1}}, .tail = retime::Tail::Uniform}), "");
-  EXPECT_NE(fault_of({.keys = {{1, 134217727}}, .tail = retime::Tail::Extend}), "");
-  EXPECT_NE(fault_of({}, std::numeric_limits<std::size_t>::max()), "");
-  EXPECT_NE(fault_of({.keys = {{1, 5}, {1, 9}}, .tail = retime::Tail::Uniform, .allow_hold = true}),
-            "");
+  EXPECT_NE(warp_fault({.keys = {{1, 2e9}}, .tail = retime::Tail::Uniform}), "");
+  EXPECT_NE(warp_fault({.keys = {{1e-300, 1}}, .tail = retime::Tail::Uniform}), "");
+  EXPECT_NE(warp_fault({.keys = {{1, 134217727}}, .tail = retime::Tail::Extend}), "");
+  EXPECT_NE(warp_fault({}, std::numeric_limits<std::size_t>::max()), "");
+  EXPECT_NE(
+      warp_fault({.keys = {{1, 5}, {1, 9}}, .tail = retime::Tail::Uniform, .allow_hold = true}),
+      "");
 }
 
 TEST(WarpMap, CurvesAndEasesExcludeEachOther) {
   retime::WarpOptions options = with_curve(retime::WarpCurve::Pchip);
   options.ease.kind = retime::Ease::Kind::Smooth;
-  EXPECT_EQ(fault_of(options), "expected an ease with the linear curve alone, found another curve");
+  EXPECT_EQ(warp_fault(options),
+            "expected an ease with the linear curve alone, found another curve");
   options = with_curve(retime::WarpCurve::Pchip);
   options.weights.assign(kFrames, 1);
-  EXPECT_NE(fault_of(options), "");
+  EXPECT_NE(warp_fault(options), "");
   options = {};
   options.ease = {retime::Ease::Kind::In, -1};
-  EXPECT_NE(fault_of(options), "");
+  EXPECT_NE(warp_fault(options), "");
 }
 
 TEST(WarpMap, EvenWeightsAreStraight) {
@@ -283,21 +285,21 @@ TEST(WarpMap, TimeStretchesWhereTheWeightsLetIt) {
 TEST(WarpMap, WeightsHaveToLeaveRoom) {
   retime::WarpOptions options{.keys = {{150, 100}}, .tail = retime::Tail::Extend};
   options.weights.assign(kFrames, 0);
-  EXPECT_EQ(fault_of(options),
+  EXPECT_EQ(warp_fault(options),
             "expected room to change the time from 0:0 to 150:100, found no frame there that may "
             "change its rate");
   for (std::size_t f = 50; f < 90; ++f) options.weights[f] = 1;
-  EXPECT_EQ(fault_of(options),
+  EXPECT_EQ(warp_fault(options),
             "expected room to change the time from 0:0 to 150:100, found too few frames there "
             "that may change their rate");
   options.weights.pop_back();
-  EXPECT_EQ(fault_of(options), "expected a weight for each of 450 frames, found 449");
+  EXPECT_EQ(warp_fault(options), "expected a weight for each of 450 frames, found 449");
   options.weights.assign(kFrames, -1);
-  EXPECT_NE(fault_of(options), "");
+  EXPECT_NE(warp_fault(options), "");
   options.weights.assign(kFrames, kNaN);
-  EXPECT_NE(fault_of(options), "");
+  EXPECT_NE(warp_fault(options), "");
   options.weights.assign(kFrames, 1e308);
-  EXPECT_NE(fault_of(options), "");
+  EXPECT_NE(warp_fault(options), "");
 }
 
 TEST(WarpMap, WeightsGoWithReversalsAndHolds) {

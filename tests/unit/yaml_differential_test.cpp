@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::libyaml_events;
-using testing::yaml_events;
+using test::libyaml_events;
+using test::yaml_events;
 
 /// The lines of two lists that differ first.
 std::string first_difference(const std::optional<std::string>& ours,
@@ -57,7 +57,7 @@ std::string beginning(const std::string& text) {
   return text.size() <= kLong ? text : text.substr(0, text.rfind('\n', kMost) + 1);
 }
 
-std::vector<std::string> files_of(const std::string& folder) {
+std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string extension = entry.path().extension();
@@ -294,13 +294,13 @@ class Generator {
 
 TEST(YamlDifferential, RealFilesGiveTheEventsOfLibyaml) {
   SKIP_WITHOUT_DATA();
-  const auto paths = files_of(data_folder() + "/choreonoid");
+  const auto paths = files_in(data_folder() + "/choreonoid");
   ASSERT_GT(paths.size(), 100u);
   expect_same_files(paths);
 }
 
 TEST(YamlDifferential, FixturesGiveTheEventsOfLibyaml) {
-  const auto paths = files_of(KINEFILE_FIXTURES);
+  const auto paths = files_in(KINEFILE_FIXTURES);
   ASSERT_GT(paths.size(), 50u);
   expect_same_files(paths);
 }

@@ -47,8 +47,8 @@ std::vector<RowShape> shapes(std::string_view text) { return rows_of(text).shape
 
 /// Whether a text is the same with rows as without.
 void expect_same_events(std::string_view text) {
-  EXPECT_EQ(testing::yaml_events(text, {.takes_rows = true, .has_numbers = true}),
-            testing::yaml_events(text, {.takes_rows = false, .has_numbers = true}))
+  EXPECT_EQ(test::yaml_events(text, {.takes_rows = true, .has_numbers = true}),
+            test::yaml_events(text, {.takes_rows = false, .has_numbers = true}))
       << text;
 }
 
@@ -125,7 +125,7 @@ TEST(YamlRows, AreNoneWhereSomethingElseStandsInThem) {
 TEST(YamlRows, AreNoneThatAreKeys) {
   for (const char* text : {"- [1, 2]: x\n", "- [1, 2] : x\n", "[ [1, 2]: x ]", "[1, 2]: x\n",
                            "? [1, 2]\n: x\n", "- ? [1, 2]\n  : x\n", "[ [1] : x, [2] ]"}) {
-    const auto found = testing::yaml_events(text, {.takes_rows = true, .has_numbers = true});
+    const auto found = test::yaml_events(text, {.takes_rows = true, .has_numbers = true});
     EXPECT_TRUE(found) << text;
     EXPECT_NE(found.value_or("").find("+MAP"), std::string::npos) << text;
     expect_same_events(text);

@@ -20,7 +20,7 @@ using text::yaml::Tree;
 
 /// The events of a text, a line each, without the document's start and end.
 std::string events(std::string_view text) {
-  std::string lines = testing::yaml_events(text, {}).value_or("no YAML\n");
+  std::string lines = test::yaml_events(text, {}).value_or("no YAML\n");
   const std::string start = "+DOC\n";
   if (lines.starts_with(start) && lines.ends_with("-DOC\n")) {
     lines = lines.substr(start.size(), lines.size() - 2 * start.size());

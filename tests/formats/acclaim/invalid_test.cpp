@@ -7,15 +7,13 @@
 namespace kinefile::test {
 namespace {
 
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 std::vector<std::string> all_invalid() {
   std::vector<std::string> names = fixtures("acclaim/invalid", ".asf");
   for (const std::string& name : fixtures("acclaim/invalid", ".amc")) names.push_back(name);
   return names;
 }
 
-ReadText read_fixture(const std::string& name, bool is_strict = false) {
+ReadText read_acclaim_fixture(const std::string& name, bool is_strict = false) {
   ReadOptions options;
   options.source_name = base_name(name);
   options.companions = beside({{"arm.asf", fixture("acclaim/invalid/arm.asf")}});
@@ -34,13 +32,13 @@ TEST(AcclaimInvalid, EveryFileHasItsExactDiagnostics) {
   for (const std::string& name : names) {
     if (base_name(name) == "arm.asf") continue;
     const std::string expected = fixture(name.substr(0, name.size() - 3) + "txt");
-    EXPECT_EQ(text_of(read_fixture(name).diagnostics), expected) << name;
+    EXPECT_EQ(text_of(read_acclaim_fixture(name).diagnostics), expected) << name;
   }
 }
 
 TEST(AcclaimInvalid, EveryDiagnosticHasAPlace) {
   for (const std::string& name : all_invalid()) {
-    const ReadText read = read_fixture(name);
+    const ReadText read = read_acclaim_fixture(name);
     EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << name;
     for (const Diagnostic& item : read.diagnostics.items()) {
       EXPECT_GT(item.place.line, 0u) << name;
@@ -51,8 +49,8 @@ TEST(AcclaimInvalid, EveryDiagnosticHasAPlace) {
 
 TEST(AcclaimInvalid, StrictRefusesWhatIsOnlyWarnedOf) {
   for (const std::string& name : all_invalid()) {
-    const bool has_warnings = read_fixture(name).diagnostics.count(Severity::Warning) > 0;
-    EXPECT_TRUE(!has_warnings || !read_fixture(name, true).document) << name;
+    const bool has_warnings = read_acclaim_fixture(name).diagnostics.count(Severity::Warning) > 0;
+    EXPECT_TRUE(!has_warnings || !read_acclaim_fixture(name, true).document) << name;
   }
 }
 

@@ -10,7 +10,8 @@
 namespace kinefile::test {
 namespace {
 
-const std::string kFrames = ":DEGREES\n1\nroot 1 2 3 4 5 6\nb 7 8\n2\nroot 1 2 3 4 5 6\nb 9 10\n";
+const std::string kTwoFrames =
+    ":DEGREES\n1\nroot 1 2 3 4 5 6\nb 7 8\n2\nroot 1 2 3 4 5 6\nb 9 10\n";
 
 Document read_document(const std::string& text, const std::string& skeleton) {
   const ReadText read = read_acclaim("amc", text, skeleton);
@@ -41,7 +42,7 @@ TEST(AcclaimWrite, KeepsWhatTheFileSaid) {
       "axis 0 0 30 ZXY\ndof rx rz\nlimits (-inf 20)\n(-7 7)\nbodymass 3\ncofmass 0.5\nweight 5\n");
   skeleton = "# made by hand\n" + skeleton + ":skin\n  a.skin\n:colour\n  red\n";
   const std::string text =
-      "# note\n:FULLY-SPECIFIED\n:COLOUR blue\n:SAMPLES-PER-SECOND 59.94\n" + kFrames;
+      "# note\n:FULLY-SPECIFIED\n:COLOUR blue\n:SAMPLES-PER-SECOND 59.94\n" + kTwoFrames;
   const Document document = read_document(text, skeleton);
   const std::string asf = write_to_string(document, "asf");
   const std::string amc = write_to_string(document, "amc");
@@ -60,23 +61,23 @@ TEST(AcclaimWrite, KeepsWhatTheFileSaid) {
 
 TEST(AcclaimWrite, EmptyLinesOfAKeptSectionStay) {
   const std::string skeleton = asf_with("axis 0 0 0 XYZ\ndof rx rz\n") + ":colour\n  red\n\n\n";
-  const Document document = read_document(kFrames, skeleton);
+  const Document document = read_document(kTwoFrames, skeleton);
   const std::string asf = write_to_string(document, "asf");
   EXPECT_TRUE(asf.ends_with(":colour\n  red\n\n\n")) << asf;
-  EXPECT_EQ(write_to_string(read_document(kFrames, asf), "asf"), asf);
+  EXPECT_EQ(write_to_string(read_document(kTwoFrames, asf), "asf"), asf);
 }
 
 TEST(AcclaimWrite, AZeroInACommentDoesNotMakeItUtf16) {
   using namespace std::string_literals;
   const std::string skeleton = asf_with("axis 0 0 0 XYZ\ndof rx rz\n");
-  const Document document = read_document("  \n#\0a\0\n"s + kFrames, skeleton);
+  const Document document = read_document("  \n#\0a\0\n"s + kTwoFrames, skeleton);
   const std::string amc = write_to_string(document, "amc");
   EXPECT_TRUE(amc.starts_with("#\uFFFDa\uFFFD\n")) << amc;
   EXPECT_EQ(write_to_string(read_document(amc, skeleton), "amc"), amc);
 }
 
 TEST(AcclaimWrite, AnAssumedRateIsNotPutIntoTheFilesMouth) {
-  Document document = read_document(kFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
+  Document document = read_document(kTwoFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
   EXPECT_EQ(write_to_string(document, "amc").find("SAMPLES"), std::string::npos);
   std::get<Motion>(document.content).clip.timeline.value = 60;
   EXPECT_NE(write_to_string(document, "amc").find(":SAMPLES-PER-SECOND 60\n"), std::string::npos);

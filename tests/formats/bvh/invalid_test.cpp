@@ -9,8 +9,6 @@
 namespace kinefile::test {
 namespace {
 
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 TEST(BvhInvalid, EveryFileHasItsExactDiagnostics) {
   const auto names = fixtures("bvh/invalid", ".bvh");
   ASSERT_GT(names.size(), 20u);

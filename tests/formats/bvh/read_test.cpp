@@ -9,12 +9,6 @@
 namespace kinefile::test {
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 const std::string kGood = bvh_with_rows({"1 2 3 4 5 6 7 8 9", "2 3 4 5 6 7 8 9 10"});
 
 std::vector<std::string> codes(const std::string& text, ReadOptions options = {}) {

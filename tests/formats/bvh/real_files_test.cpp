@@ -27,7 +27,7 @@ std::vector<std::string> real_files() {
   return paths;
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+bool equal_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
@@ -67,8 +67,8 @@ TEST(BvhRealFiles, RoundTripBitForBit) {
     EXPECT_EQ(second.diagnostics.count(Severity::Warning), 0u) << path;
     const Motion& a = first.motion();
     const Motion& b = second.motion();
-    EXPECT_TRUE(same_bits(a.clip.values, b.clip.values)) << path;
-    EXPECT_TRUE(same_bits(numbers_of(a.skeleton), numbers_of(b.skeleton))) << path;
+    EXPECT_TRUE(equal_bits(a.clip.values, b.clip.values)) << path;
+    EXPECT_TRUE(equal_bits(numbers_of(a.skeleton), numbers_of(b.skeleton))) << path;
     EXPECT_EQ(words_of(a.skeleton), words_of(b.skeleton)) << path;
     EXPECT_EQ(a.clip.timeline.value, b.clip.timeline.value) << path;
     EXPECT_EQ(write_to_string(*second.document), written) << path;

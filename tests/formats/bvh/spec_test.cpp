@@ -30,7 +30,7 @@ std::vector<Line> table_of(const std::string& name) {
   return lines;
 }
 
-void expect_near(const Vec3& printed, const double* computed, const std::string& joint) {
+void expect_printed(const Vec3& printed, const double* computed, const std::string& joint) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     EXPECT_NEAR(printed[k], computed[k], 1e-5 + 1e-5 * std::abs(printed[k])) << joint;
   }
@@ -42,8 +42,8 @@ void expect_table(const Skeleton& skeleton, const WorldPoses& poses, const std::
   ASSERT_EQ(poses.num_joints, 18u);
   for (std::size_t j = 0; j < lines.size(); ++j) {
     EXPECT_EQ(lines[j].joint, skeleton.joints[j].name);
-    expect_near(lines[j].position, &poses.positions[j * 3], lines[j].joint);
-    expect_near(lines[j].direction, &poses.directions[j * 3], lines[j].joint);
+    expect_printed(lines[j].position, &poses.positions[j * 3], lines[j].joint);
+    expect_printed(lines[j].direction, &poses.directions[j * 3], lines[j].joint);
   }
 }
 

@@ -7,9 +7,7 @@
 namespace kinefile::test {
 namespace {
 
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
-ReadText read_fixture(const std::string& name, bool is_strict = false) {
+ReadText read_seq_fixture(const std::string& name, bool is_strict = false) {
   ReadOptions options;
   options.source_name = base_name(name);
   return read_seq(fixture(name), options, is_strict);
@@ -20,13 +18,13 @@ TEST(SeqInvalid, EveryFileHasItsExactDiagnostics) {
   ASSERT_GT(names.size(), 60u);
   for (const std::string& name : names) {
     const std::string expected = fixture(name.substr(0, name.size() - 3) + "txt");
-    EXPECT_EQ(text_of(read_fixture(name).diagnostics), expected) << name;
+    EXPECT_EQ(text_of(read_seq_fixture(name).diagnostics), expected) << name;
   }
 }
 
 TEST(SeqInvalid, EveryDiagnosticHasAPlace) {
   for (const std::string& name : fixtures("choreonoid/invalid", ".seq")) {
-    const ReadText read = read_fixture(name);
+    const ReadText read = read_seq_fixture(name);
     EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << name;
     for (const Diagnostic& item : read.diagnostics.items()) {
       EXPECT_GT(item.place.line, 0u) << name;
@@ -37,8 +35,8 @@ TEST(SeqInvalid, EveryDiagnosticHasAPlace) {
 
 TEST(SeqInvalid, StrictRefusesWhatIsOnlyWarnedOf) {
   for (const std::string& name : fixtures("choreonoid/invalid", ".seq")) {
-    const bool has_warnings = read_fixture(name).diagnostics.count(Severity::Warning) > 0;
-    EXPECT_TRUE(!has_warnings || !read_fixture(name, true).document) << name;
+    const bool has_warnings = read_seq_fixture(name).diagnostics.count(Severity::Warning) > 0;
+    EXPECT_TRUE(!has_warnings || !read_seq_fixture(name, true).document) << name;
   }
 }
 

@@ -14,7 +14,7 @@ std::string as_json(const std::string& text) {
   return write_to_string(*read.document, "choreonoid", {.style = YamlStyle::Json});
 }
 
-std::string again(const std::string& text) {
+std::string json_again(const std::string& text) {
   return write_to_string(*read_seq(text).document, "choreonoid");
 }
 
@@ -33,9 +33,9 @@ TEST(SeqJson, JsonIsJson) {
   const ReadText read = read_seq(text);
   EXPECT_EQ(text_of(read.diagnostics), "");
   expect_same_components(components_of(read), components_of(read_seq(blocks)));
-  EXPECT_EQ(again(text), text);
+  EXPECT_EQ(json_again(text), text);
   EXPECT_EQ(write_to_string(*read.document, "choreonoid", {.style = YamlStyle::Block}),
-            again(blocks));
+            json_again(blocks));
 }
 
 TEST(SeqJson, JsonHoldsWhatIsUnknown) {
@@ -51,7 +51,7 @@ TEST(SeqJson, JsonHoldsWhatIsUnknown) {
   EXPECT_EQ(json["components"][0]["more"]["a"][0], 1);
   EXPECT_EQ(json["components"][1]["rows"][0][1], 2.5);
   EXPECT_EQ(json["components"][1]["rows"][0][2], 0.5);
-  EXPECT_EQ(again(written), written);
+  EXPECT_EQ(json_again(written), written);
 }
 
 TEST(SeqJson, KeysThatAreNoWordsBecomeWords) {

@@ -43,17 +43,11 @@ std::string again(const std::string& text, const WriteOptions& options = {}) {
   return written;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-constexpr char kAll[] =
+constexpr char kAllKinds[] =
     "type: CompositeSeq\n"
     "content: BodyMotion\n"
     "formatVersion: 2\n"
@@ -90,11 +84,11 @@ constexpr char kAll[] =
     "      - [ 0, 0.2, 0 ]\n";
 
 TEST(SeqWrite, AFileOfVersion2InTheDocumentsStyleIsWrittenByteForByte) {
-  EXPECT_EQ(again(kAll), kAll);
+  EXPECT_EQ(again(kAllKinds), kAllKinds);
 }
 
 TEST(SeqWrite, TheSpellingOfKeysStays) {
-  std::string text = kAll;
+  std::string text = kAllKinds;
   for (const auto& [camel, snake] :
        std::vector<std::pair<std::string, std::string>>{{"formatVersion", "format_version"},
                                                         {"frameRate", "frame_rate"},
@@ -173,7 +167,7 @@ TEST(SeqWrite, RollPitchYawGoesOnFromFrameToFrameWithoutAJump) {
 }
 
 TEST(SeqWrite, EveryVersionHasItsWords) {
-  const Document document = document_of(kAll);
+  const Document document = document_of(kAllKinds);
   const auto text = [&](int version) { return write_seq(document, {.seq_version = version}).text; };
   const std::string first = text(1);
   EXPECT_EQ(first.find("# Body motion data set format version 1.0"), 0u);
@@ -183,7 +177,7 @@ TEST(SeqWrite, EveryVersionHasItsWords) {
     EXPECT_TRUE(has(first, part)) << part << first;
   }
   EXPECT_FALSE(has(first, "isRootRelative"));
-  EXPECT_EQ(text(2), kAll);
+  EXPECT_EQ(text(2), kAllKinds);
   const std::string third = text(3);
   for (const char* part : {"formatVersion: 3\n", "content: MultiJointDisplacementSeq\n",
                            "content: MultiLinkPositionSeq\n", "content: ZMPSeq\n",
@@ -291,7 +285,7 @@ TEST(SeqWrite, RatesOfTheirOwnStay) {
 }
 
 TEST(SeqWrite, LineEndsStay) {
-  std::string text = kAll;
+  std::string text = kAllKinds;
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) {
     text.insert(at, 1, '\r');
   }
@@ -299,14 +293,14 @@ TEST(SeqWrite, LineEndsStay) {
 }
 
 TEST(SeqWrite, CommentsAreNotWrittenAndANoteSaysSo) {
-  const Written written = write_seq(document_of("# a walk\n" + std::string(kAll)));
+  const Written written = write_seq(document_of("# a walk\n" + std::string(kAllKinds)));
   EXPECT_EQ(text_of(written.diagnostics), "note[SEQ025]: the file's comments are not written\n");
-  EXPECT_EQ(written.text, kAll);
-  EXPECT_EQ(text_of(write_seq(document_of(kAll)).diagnostics), "");
+  EXPECT_EQ(written.text, kAllKinds);
+  EXPECT_EQ(text_of(write_seq(document_of(kAllKinds)).diagnostics), "");
 }
 
 TEST(SeqWrite, ChoreonoidsDigitsAreNineAndSixForTheRateAtTheTop) {
-  std::string text = kAll;
+  std::string text = kAllKinds;
   text.replace(text.find("0.1, 0.2"), 8, "0.12345678901234567, 1e-5");
   const std::string rate = "frameRate: 119.88011988";
   for (std::size_t at = text.find("frameRate: 50"); at != std::string::npos;

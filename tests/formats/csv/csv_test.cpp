@@ -18,7 +18,7 @@ ReadText read_csv(std::string_view bytes, ReadOptions options = {}, bool is_stri
 }
 
 /// Two joints whose ids are in another order than their links.
-std::shared_ptr<const Document> robot() {
+std::shared_ptr<const Document> robot_document() {
   ReadText read;
   auto document = find_format("body")->read(
       "format: ChoreonoidBody\nformat_version: 2\nlinks:\n"
@@ -90,7 +90,7 @@ TEST(Csv, TheRateIsWhatTheTimesTell) {
 
 TEST(Csv, JointsGoToTheirIdsByTheirNames) {
   ReadOptions options;
-  options.skeleton = robot();
+  options.skeleton = robot_document();
   ASSERT_NE(options.skeleton, nullptr);
   for (const char* header : {"time,KNEE.q,HIP.q\n", "time,KNEE_P,HIP\n"}) {
     const auto read = read_csv(std::string(header) + "0,1,2\n0.1,3,4\n", options);
@@ -112,7 +112,7 @@ TEST(Csv, JointsGoToTheirIdsByTheirNames) {
 
 TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
   ReadOptions options;
-  options.skeleton = robot();
+  options.skeleton = robot_document();
   ASSERT_NE(options.skeleton, nullptr);
   const auto seq = read_seq(
       seq_of({joints({"[ 0.1, 1e-300 ]", "[ -0.5, 2 ]"}),

@@ -9,7 +9,7 @@
 namespace kinefile::test {
 namespace {
 
-ReadText read_table(std::string_view bytes, ReadOptions options = {}) {
+ReadText read_flow_table(std::string_view bytes, ReadOptions options = {}) {
   options.source_name = "t.csv";
   ReadText read;
   auto document = find_format("csv")->read(bytes, options, read.diagnostics);
@@ -17,7 +17,7 @@ ReadText read_table(std::string_view bytes, ReadOptions options = {}) {
   return read;
 }
 
-const PoseFlow& flow_of(const ReadText& read) {
+const PoseFlow& flow_read(const ReadText& read) {
   static const PoseFlow kNone;
   EXPECT_TRUE(read.document) << text_of(read.diagnostics);
   return read.document ? std::get<PoseFlow>(read.document->content) : kNone;
@@ -47,8 +47,8 @@ constexpr const char* kTable =
     "1,-1,-1,,0x0000,0x0000,0x0000\n";
 
 TEST(FlowTable, WhatIsWrittenIsWhatWasRead) {
-  const auto read = read_table(kTable);
-  const PoseFlow& flow = flow_of(read);
+  const auto read = read_flow_table(kTable);
+  const PoseFlow& flow = flow_read(read);
   ASSERT_EQ(flow.blocks.size(), 3u);
   EXPECT_EQ(flow.format, FlowFormat::WordN);
   EXPECT_EQ(flow.num_sliders, 3u);
@@ -63,8 +63,8 @@ TEST(FlowTable, WhatIsWrittenIsWhatWasRead) {
 }
 
 TEST(FlowTable, ColumnsMayBeLeftOutAndFieldsEmpty) {
-  const auto read = read_table("s2,Time,next\r\n0x0001,5,\r\n\r\n,6,\r\n0x0003, 7 ,0\r\n");
-  const PoseFlow& flow = flow_of(read);
+  const auto read = read_flow_table("s2,Time,next\r\n0x0001,5,\r\n\r\n,6,\r\n0x0003, 7 ,0\r\n");
+  const PoseFlow& flow = flow_read(read);
   ASSERT_EQ(flow.blocks.size(), 3u);
   EXPECT_EQ(flow.num_sliders, 3u);
   EXPECT_EQ(flow.blocks[0].normal, 1);
@@ -94,7 +94,7 @@ TEST(FlowTable, DegreesAreWordsExactly) {
     from.project = to.project;
     from.in_degrees = true;
     from.is_relative = is_relative;
-    EXPECT_EQ(flow_of(read_table(written(flow, to), from)), flow);
+    EXPECT_EQ(flow_read(read_flow_table(written(flow, to), from)), flow);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(FlowTable, DegreesGoToTheNearestWord) {
   options.in_degrees = true;
   const auto words = [&](const std::string& fields) {
     return std::get<PoseBlock>(
-               flow_of(read_table("time,s0,s1,s2\n1," + fields, options)).blocks.at(0).body)
+               flow_read(read_flow_table("time,s0,s1,s2\n1," + fields, options)).blocks.at(0).body)
         .words;
   };
   EXPECT_EQ(words("1.5,-0.017,0x0007")[0], (SliderWord{150, true}));
@@ -112,7 +112,7 @@ TEST(FlowTable, DegreesGoToTheNearestWord) {
   options.is_relative = true;
   EXPECT_EQ(words("1.5,0,0X0007")[0], (SliderWord{200, true}));
   EXPECT_EQ(words("1.5,0,0X0007")[1], (SliderWord{-50, true}));
-  EXPECT_EQ(text_of(read_table("time,s0,s2\n1,400,5\n", options).diagnostics),
+  EXPECT_EQ(text_of(read_flow_table("time,s0,s2\n1,400,5\n", options).diagnostics),
             "t.csv:2:3: error[CSV014]: expected degrees that a word of 16 bits can say, found 400\n"
             "  1,400,5\n    ^\n"
             "t.csv:2:7: error[CSV014]: expected a word such as 0x2b01: the project does not show "
@@ -120,24 +120,24 @@ TEST(FlowTable, DegreesGoToTheNearestWord) {
 }
 
 TEST(FlowTable, WholeNumbersAreWordsAndSlidersHaveTheirNames) {
-  const auto numbers = read_table("time,s0,s1\n1,-32768,32767\n");
-  EXPECT_EQ(std::get<PoseBlock>(flow_of(numbers).blocks[0].body).words,
+  const auto numbers = read_flow_table("time,s0,s1\n1,-32768,32767\n");
+  EXPECT_EQ(std::get<PoseBlock>(flow_read(numbers).blocks[0].body).words,
             (std::vector<SliderWord>{{-32768, true}, {32767, true}}));
   RobotProject named = *project();
   named.sliders[1].name = "knee";
   ReadOptions options;
   options.project = std::make_shared<const RobotProject>(named);
   options.in_degrees = true;
-  const auto names = read_table("time,knee\n1,1.5\n", options);
-  EXPECT_EQ(flow_of(names).num_sliders, 2u);
-  EXPECT_EQ(std::get<PoseBlock>(flow_of(names).blocks[0].body).words[1], (SliderWord{150, true}));
-  EXPECT_EQ(read_table("time,s0\n1,32768\n").diagnostics.first_error().code, "CSV013");
+  const auto names = read_flow_table("time,knee\n1,1.5\n", options);
+  EXPECT_EQ(flow_read(names).num_sliders, 2u);
+  EXPECT_EQ(std::get<PoseBlock>(flow_read(names).blocks[0].body).words[1], (SliderWord{150, true}));
+  EXPECT_EQ(read_flow_table("time,s0\n1,32768\n").diagnostics.first_error().code, "CSV013");
 }
 
 TEST(FlowTable, JsonHasAllThatBlocksSay) {
   std::string text;
   Diagnostics none;
-  PoseFlow flow = flow_of(read_table("time,s0\n40,0x2b01\n"));
+  PoseFlow flow = flow_read(read_flow_table("time,s0\n40,0x2b01\n"));
   Block branch;
   branch.name = "n\"";
   branch.normal = 0;

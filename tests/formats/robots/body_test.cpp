@@ -6,8 +6,6 @@
 namespace kinefile::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A .body file with these lines behind its head.
 std::string body_with(const std::string& lines, const std::string& head = {}) {
   return "format: ChoreonoidBody\nformat_version: 2.0\nname: t\n" + head + "links:\n" + lines;

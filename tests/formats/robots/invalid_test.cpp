@@ -9,10 +9,8 @@ namespace {
 
 constexpr const char* kFormats[] = {"body", "urdf", "wrl"};
 
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 /// The fixtures of the formats that there are: the browser build has no URDF.
-std::vector<std::pair<std::string, std::string>> all_invalid() {
+std::vector<std::pair<std::string, std::string>> invalid_robots() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const std::string format : kFormats) {
     if (find_format(format) == nullptr) continue;
@@ -23,7 +21,8 @@ std::vector<std::pair<std::string, std::string>> all_invalid() {
   return all;
 }
 
-ReadText read_fixture(const std::string& format, const std::string& name, bool is_strict = false) {
+ReadText read_robot_fixture(const std::string& format, const std::string& name,
+                            bool is_strict = false) {
   ReadOptions options;
   options.source_name = base_name(name);
   const std::string own = fixture(name);
@@ -40,16 +39,16 @@ ReadText read_fixture(const std::string& format, const std::string& name, bool i
 }
 
 TEST(RobotInvalid, EveryFileHasItsExactDiagnostics) {
-  ASSERT_GT(all_invalid().size(), 60u);
-  for (const auto& [format, name] : all_invalid()) {
+  ASSERT_GT(invalid_robots().size(), 60u);
+  for (const auto& [format, name] : invalid_robots()) {
     const std::string expected = fixture(name.substr(0, name.size() - format.size()) + "txt");
-    EXPECT_EQ(text_of(read_fixture(format, name).diagnostics), expected) << name;
+    EXPECT_EQ(text_of(read_robot_fixture(format, name).diagnostics), expected) << name;
   }
 }
 
 TEST(RobotInvalid, EveryDiagnosticHasAPlaceAndWhatReadsIsValid) {
-  for (const auto& [format, name] : all_invalid()) {
-    const ReadText read = read_fixture(format, name);
+  for (const auto& [format, name] : invalid_robots()) {
+    const ReadText read = read_robot_fixture(format, name);
     EXPECT_EQ(read.document.has_value(), !read.diagnostics.has_errors()) << name;
     EXPECT_FALSE(read.diagnostics.items().empty()) << name;
     for (const Diagnostic& item : read.diagnostics.items()) {
@@ -61,9 +60,10 @@ TEST(RobotInvalid, EveryDiagnosticHasAPlaceAndWhatReadsIsValid) {
 }
 
 TEST(RobotInvalid, StrictRefusesWhatIsOnlyWarnedOf) {
-  for (const auto& [format, name] : all_invalid()) {
-    const bool has_warnings = read_fixture(format, name).diagnostics.count(Severity::Warning) > 0;
-    EXPECT_TRUE(!has_warnings || !read_fixture(format, name, true).document) << name;
+  for (const auto& [format, name] : invalid_robots()) {
+    const bool has_warnings =
+        read_robot_fixture(format, name).diagnostics.count(Severity::Warning) > 0;
+    EXPECT_TRUE(!has_warnings || !read_robot_fixture(format, name, true).document) << name;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "support/support.hpp"
 
 namespace kinefile::test {
+
+inline constexpr double kPi = std::numbers::pi;
 
 /// Files that lie beside the one that is read, by name.
 inline Resolver files_of(std::vector<std::pair<std::string, std::string>> files) {

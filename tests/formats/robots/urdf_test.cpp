@@ -6,8 +6,6 @@
 namespace kinefile::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 std::string urdf_with(const std::string& elements) {
   return "<?xml version=\"1.0\"?>\n<robot name=\"t\">\n" + elements + "</robot>\n";
 }

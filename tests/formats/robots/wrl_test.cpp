@@ -4,8 +4,6 @@
 namespace kinefile::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Wrl, JointsBecomeLinksWithIdsAndLimits) {
   const Document document = robot_of("wrl", fixture("wrl/valid/arm.wrl"));
   const Skeleton& skeleton = skeleton_of(document);

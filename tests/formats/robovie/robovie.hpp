@@ -42,12 +42,6 @@ inline std::string as_editor(std::string_view text) {
   return bytes;
 }
 
-inline std::string replaced(std::string text, std::string_view old, std::string_view by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return at == std::string::npos ? text : text.replace(at, old.size(), by);
-}
-
 /// Files by their names, as a project finds them.
 using Files = std::map<std::string, std::string>;
 

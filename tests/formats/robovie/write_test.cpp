@@ -8,7 +8,7 @@ namespace {
 
 std::string valid(const std::string& name) { return fixture("robovie/valid/" + name); }
 
-Document document_of(std::string_view bytes, const ReadOptions& options = {}) {
+Document robovie_document(std::string_view bytes, const ReadOptions& options = {}) {
   const ReadText read = read_robovie(bytes, options);
   EXPECT_TRUE(read.document) << text_of(read.diagnostics);
   return read.document.value_or(Document{});
@@ -43,22 +43,22 @@ PoseFlow small_flow() {
 
 TEST(RobovieWrite, FilesOfEveryEncodingComeBackByteForByte) {
   for (const std::string name : {"drum.txt", "all_blocks.txt"}) {
-    const Document document = document_of(valid(name));
+    const Document document = robovie_document(valid(name));
     for (const std::string encoding : {"utf-16le", "utf-8", "cp932", "utf-16be"}) {
       const std::string bytes = write_to_string(document, "robovie", {.encoding = encoding});
-      const Document again = document_of(bytes);
+      const Document again = robovie_document(bytes);
       EXPECT_EQ(std::get<PoseFlow>(again.content), std::get<PoseFlow>(document.content));
       EXPECT_EQ(again.extras.file.at("encoding").substr(0, encoding.size()), encoding);
       EXPECT_EQ(write_to_string(again, "robovie"), bytes) << name << " " << encoding;
     }
     EXPECT_EQ(write_to_string(document, "robovie"), valid(name));
-    EXPECT_EQ(write_to_string(document_of(crlf(valid(name))), "robovie"), crlf(valid(name)));
+    EXPECT_EQ(write_to_string(robovie_document(crlf(valid(name))), "robovie"), crlf(valid(name)));
   }
 }
 
 TEST(RobovieWrite, UtfWithAMarkKeepsIt) {
   const std::string text = "\xEF\xBB\xBF" + valid("drum.txt");
-  EXPECT_EQ(write_to_string(document_of(text), "robovie"), text);
+  EXPECT_EQ(write_to_string(robovie_document(text), "robovie"), text);
 }
 
 TEST(RobovieWrite, TrailBytesThatAreBracketsInCp932AreNoBrackets) {
@@ -66,7 +66,7 @@ TEST(RobovieWrite, TrailBytesThatAreBracketsInCp932AreNoBrackets) {
   const std::string text =
       "_MOTION_FORMAT:[ POSEDEF_WORD_N ]\n_ENABLE_AXIS:[1]\n"
       "_POSE:[1]-[0x0000]-[-1]-[-1]-[[\x83\x5B\x83\x5C\x83\x5D\x81\x5B.wav]]\n";
-  const Document document = document_of(text);
+  const Document document = robovie_document(text);
   const PoseFlow& flow = std::get<PoseFlow>(document.content);
   EXPECT_EQ(std::get<PoseBlock>(flow.blocks.at(0).body).sound, "ゼソゾー.wav");
   EXPECT_EQ(write_to_string(document, "robovie"), text);
@@ -107,7 +107,7 @@ TEST(RobovieWrite, AFlowWithoutAFileIsWrittenAsTheEditorDoes) {
 TEST(RobovieWrite, TheLastLineMayLackItsEnd) {
   std::string text = valid("all_blocks.txt");
   text.pop_back();
-  EXPECT_EQ(write_to_string(document_of(text), "robovie"), text);
+  EXPECT_EQ(write_to_string(robovie_document(text), "robovie"), text);
 }
 
 TEST(RobovieWrite, NamesWithBracketsComeBack) {
@@ -118,7 +118,7 @@ TEST(RobovieWrite, NamesWithBracketsComeBack) {
     flow.blocks[1].name = name;
     std::get<PoseBlock>(flow.blocks[1].body).sound = name;
     document.content = flow;
-    const Document again = document_of(write_to_string(document, "robovie"));
+    const Document again = robovie_document(write_to_string(document, "robovie"));
     EXPECT_EQ(std::get<PoseFlow>(again.content), flow) << name;
   }
 }
@@ -161,7 +161,7 @@ TEST(RobovieWrite, WhatCannotBeWrittenIsRefused) {
 }
 
 TEST(RobovieWrite, MissingWordsAreWrittenAsDisabled) {
-  const Document document = document_of(fixture("robovie/invalid/thirty_words.motion"));
+  const Document document = robovie_document(fixture("robovie/invalid/thirty_words.motion"));
   const PoseFlow& flow = std::get<PoseFlow>(document.content);
   const PoseBlock& pose = std::get<PoseBlock>(flow.blocks.at(1).body);
   ASSERT_EQ(pose.words.size(), 62u);
@@ -172,7 +172,7 @@ TEST(RobovieWrite, MissingWordsAreWrittenAsDisabled) {
 }
 
 TEST(RobovieProbe, TheContentShowsTheFormatInEveryEncoding) {
-  const Document document = document_of(valid("all_blocks.txt"));
+  const Document document = robovie_document(valid("all_blocks.txt"));
   for (const std::string encoding : {"utf-16le", "utf-8", "cp932", "utf-16be"}) {
     const std::string bytes = write_to_string(document, "robovie", {.encoding = encoding});
     const Format* format = detect_format(bytes, "no.extension");

@@ -14,6 +14,7 @@ if(EMSCRIPTEN)
 else()
   find_package(Eigen3 REQUIRED NO_MODULE)
   find_package(fmt REQUIRED)
+  find_path(fast_float_folder fast_float/fast_float.h REQUIRED)  # headers alone, without a package
   find_package(tl-expected REQUIRED)
   find_package(hwy REQUIRED)
   find_package(tinyxml2 REQUIRED)  # no header-only one: the browser build reads no URDF

@@ -4,6 +4,8 @@
 #   tools/setup.sh demo    what building and running the command needs
 #   tools/setup.sh test    also what the tests, the fuzzers and the browser build need
 #   tools/setup.sh bench   also what the benchmarks need
+# Where there is no apt-get, or no way to be root, it says what is needed and fails only if a tool is
+# not there: CMake finds the libraries, or names the one that it does not find.
 set -eu
 
 demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-dev
@@ -12,12 +14,40 @@ bench="$demo libbenchmark-dev libyaml-dev"
 test="$bench googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten python3"
 
+demo_tools='cmake ninja c++'
+demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, tinyxml2, nlohmann-json'
+bench_libraries="$demo_libraries, Google Benchmark, libyaml"
+test_tools="$demo_tools g++ pkg-config clang++-14 clang-format-14 emcc python3 node"
+test_libraries="$bench_libraries, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"
+
 case "${1:-}" in
-  demo) wanted=$demo ;;
-  test) wanted=$test ;;
-  bench) wanted=$bench ;;
+  demo) wanted=$demo tools=$demo_tools libraries=$demo_libraries ;;
+  test) wanted=$test tools=$test_tools libraries=$test_libraries ;;
+  bench) wanted=$bench tools=$demo_tools libraries=$bench_libraries ;;
   *) echo "usage: tools/setup.sh demo|test|bench" >&2; exit 2 ;;
 esac
+
+# Says what is needed, in the words of no distribution; fails if a tool is not there.
+go_on_without_installing() {
+  absent=''
+  for tool in $tools; do
+    command -v "$tool" >/dev/null || absent="$absent $tool"
+  done
+  echo "$1 What is needed:" >&2
+  echo "  tools      $tools (CMake 3.25 or later, a C++20 compiler)" >&2
+  echo "  libraries  $libraries, with their headers" >&2
+  if [ -n "$absent" ]; then
+    echo "These tools are missing:$absent" >&2
+    exit 1
+  fi
+  echo "The tools are there; CMake looks for the libraries." >&2
+  exit 0
+}
+
+for installer in apt-get dpkg-query; do
+  command -v "$installer" >/dev/null ||
+    go_on_without_installing "There is no $installer here, so nothing is installed."
+done
 
 missing=''
 for package in $wanted; do
@@ -30,10 +60,8 @@ if [ "$1" = test ] && ! command -v node >/dev/null; then missing="$missing nodej
 
 as_root=''
 if [ "$(id -u)" != 0 ]; then
-  command -v sudo >/dev/null || {
-    echo "These packages are missing, and installing them needs root or sudo:$missing" >&2
-    exit 1
-  }
+  command -v sudo >/dev/null || go_on_without_installing \
+    "Debian packages are missing, and installing them needs root or sudo:$missing."
   as_root=sudo
 fi
 echo "Installing with apt-get:$missing"

@@ -14,9 +14,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
 endif()
 
-# What is not the library need not be fast, but quickly compiled.
+# What is not the library need not be fast, but quickly compiled. After the user's own flags, so it
+# is for our presets only.
+option(KINEFILE_QUICK_COMPILE "Compile all but the library with -O1" OFF)
 function(kinefile_compile_quickly target)
-  if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    target_compile_options(${target} PRIVATE -O1)
+  if(KINEFILE_QUICK_COMPILE)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()

@@ -3,9 +3,17 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS kinefile EXPORT kinefile_targets
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/kinefile"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+# Who links the static library links what it uses, too.
+set(kinefile_static_libraries "-lhwy -ltinyxml2")
+set(kinefile_static_packages "find_dependency(hwy)\nfind_dependency(tinyxml2)\n")
+if(BUILD_SHARED_LIBS)
+  set(kinefile_private_libraries "${kinefile_static_libraries}")
+  set(kinefile_static_libraries "")
+  set(kinefile_static_packages "")
+endif()
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/kinefile")
 install(EXPORT kinefile_targets NAMESPACE kinefile:: FILE kinefileTargets.cmake
   DESTINATION "${package_folder}")
@@ -25,6 +33,10 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 if(KINEFILE_CLI)
+  if(BUILD_SHARED_LIBS)
+    file(RELATIVE_PATH lib_from_bin "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+    set_target_properties(kinefile_command PROPERTIES INSTALL_RPATH "$ORIGIN/${lib_from_bin}")
+  endif()
   install(TARGETS kinefile_command RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   set(generated "")
   foreach(kind IN ITEMS man bash zsh fish)

@@ -149,7 +149,7 @@ void stand_on_ground(Motion& motion) {
       for (std::size_t t = 0; t < poses.num_tips; ++t) {
         lowest = std::min(lowest, poses.tips[(f * poses.num_tips + t) * 3 + 1]);
       }
-      motion.clip.row(poses.first_frame + f)[kHipsY] = rounded(-lowest);
+      motion.clip.mutate()[poses.first_frame + f][kHipsY] = rounded(-lowest);
     }
   }
 }

@@ -36,7 +36,7 @@ LAYERS = {
 
 # The layer that declares what a public header has.
 PUBLIC = {
-    "diagnostics": "base", "result": "base", "version": "base", "math": "math",
+    "array": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model",
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",
@@ -52,8 +52,7 @@ PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
 ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli"}
 # Of a format, the one that may use it.
 ONLY_IN_FORMAT = {"tinyxml2.h": "urdf"}
-DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/mman.h",
-                "sys/stat.h")
+DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/timeline.hpp"
 
 namespace kinefile {
@@ -47,7 +48,7 @@ struct Component {
   PoseForm pose_form = PoseForm::Quaternion;
   bool is_root_relative = false;  ///< of vectors: in the frame of the root link, not the world's
   std::size_t num_frames = 0;
-  std::vector<double> values;  ///< [frame][part][width], exactly as read
+  Array<double> values;  ///< [frame][part][width], exactly as read
   Timeline timeline;
   std::map<std::string, std::string> extras;  ///< words for its format alone, by key
 
@@ -61,9 +62,8 @@ struct Component {
   std::span<const double> row(std::size_t frame) const {
     return {values.data() + frame * row_size(), row_size()};
   }
-  std::span<double> row(std::size_t frame) {
-    return {values.data() + frame * row_size(), row_size()};
-  }
+  /// The rows, to be written (see `Array::mutate`).
+  Rows mutate() { return {values.mutate(), row_size()}; }
 };
 
 /// A robot's motion without the robot: named components. It has no skeleton.
@@ -85,6 +85,6 @@ std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> 
 
 /// The values of poses with quaternions as x y z roll pitch yaw, [frame][part][6], each angle
 /// nearest to the one of the frame before.
-std::vector<double> poses_as_roll_pitch_yaw(const Component& component);
+Array<double> poses_as_roll_pitch_yaw(const Component& component);
 
 }  // namespace kinefile

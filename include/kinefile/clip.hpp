@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/timeline.hpp"
 
 namespace kinefile {
@@ -13,15 +14,14 @@ namespace kinefile {
 struct Clip {
   std::size_t num_frames = 0;
   std::size_t num_coordinates = 0;
-  std::vector<double> values;  ///< [frame][coordinate], in the file's own units, exactly as read
+  Array<double> values;  ///< [frame][coordinate], in the file's own units, exactly as read
   Timeline timeline;
 
   std::span<const double> row(std::size_t frame) const {
     return {values.data() + frame * num_coordinates, num_coordinates};
   }
-  std::span<double> row(std::size_t frame) {
-    return {values.data() + frame * num_coordinates, num_coordinates};
-  }
+  /// The rows, to be written (see `Array::mutate`).
+  Rows mutate() { return {values.mutate(), num_coordinates}; }
 };
 
 /// Whether a column has one value in every frame; true without frames, false for NaN.

@@ -27,16 +27,6 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// One thing that was noticed about an input.
-struct Diagnostic {
-  Severity severity = Severity::Error;
-  std::string code;     ///< as listed in docs/errors.md, "BVH006"
-  std::string message;  ///< one sentence: what was expected, what was found
-  Place place;
-  std::string excerpt;    ///< the source line, or the part of a long one around the place
-  std::size_t caret = 0;  ///< byte offset in `excerpt` that the place points at
-};
-
 /// What went wrong, as far as a caller may want to act on it.
 enum class ErrorKind {
   InvalidInput,  ///< the input breaks its format's rules
@@ -45,10 +35,19 @@ enum class ErrorKind {
   Usage,         ///< what was asked for does not fit the input
 };
 
-/// A diagnostic that ended an operation.
-struct Error : Diagnostic {
-  ErrorKind kind = ErrorKind::InvalidInput;
+/// One thing that was noticed about an input.
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  ErrorKind kind = ErrorKind::InvalidInput;  ///< of errors
+  std::string code;                          ///< as listed in docs/errors.md, "BVH006"
+  std::string message;                       ///< one sentence: what was expected, what was found
+  Place place;
+  std::string excerpt;    ///< the source line, or the part of a long one around the place
+  std::size_t caret = 0;  ///< byte offset in `excerpt` that the place points at
 };
+
+/// A diagnostic that ended an operation.
+struct Error : Diagnostic {};
 
 /// Makes an error that has no place in a text.
 Error make_error(ErrorKind kind, std::string code, std::string message, std::string source = {});

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/pose_flow.hpp"
 #include "kinefile/result.hpp"
@@ -76,8 +77,8 @@ enum class End {
 /// What a robot did: sliders at every tick from 0 on.
 struct Run {
   std::size_t num_sliders = 0;
-  std::size_t num_ticks = 0;          ///< its duration; there is a row more
-  std::vector<std::int16_t> sliders;  ///< [tick][slider], `num_ticks + 1` rows
+  std::size_t num_ticks = 0;    ///< its duration; there is a row more
+  Array<std::int16_t> sliders;  ///< [tick][slider], `num_ticks + 1` rows
   std::vector<Step> path;
   std::vector<Event> events;
   std::array<std::int16_t, kNumVariables> variables = {};  ///< at the end

@@ -4,6 +4,7 @@
 /// The whole public interface of kinefile.
 
 #include "kinefile/anomalies.hpp"
+#include "kinefile/array.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/clip.hpp"
 #include "kinefile/compare.hpp"

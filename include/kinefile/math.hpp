@@ -12,7 +12,9 @@ namespace kinefile {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-using Quat = Eigen::Quaterniond;  ///< constructed as (w, x, y, z)
+/// Constructed as (w, x, y, z). Not aligned, so that structs have one layout whatever the
+/// compiler's flags.
+using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/motion.hpp"
@@ -18,7 +19,7 @@ struct JointTrajectory {
   std::vector<std::string> joints;
   std::size_t num_frames = 0;
   double frame_time = 0;
-  std::vector<double> angles;  ///< [frame][joint], in radians
+  Array<double> angles;  ///< [frame][joint], in radians
 };
 
 /// What a robot did, as displacements of joints at every tick.

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+
+#include "kinefile/array.hpp"
 
 namespace kinefile {
 
@@ -13,10 +14,10 @@ struct PoseArrays {
   std::size_t num_frames = 0;   ///< rows
   std::size_t num_joints = 0;
   std::size_t num_tips = 0;
-  std::vector<double> positions;   ///< [frame][joint][3], in the skeleton's unit of length
-  std::vector<double> rotations;   ///< [frame][joint][4], unit quaternions w x y z, w >= 0
-  std::vector<double> directions;  ///< [frame][joint][3], unit vectors along the bones
-  std::vector<double> tips;        ///< [frame][tip][3], the tips of joint 0 first
+  Array<double> positions;   ///< [frame][joint][3], in the skeleton's unit of length
+  Array<double> rotations;   ///< [frame][joint][4], unit quaternions w x y z, w >= 0
+  Array<double> directions;  ///< [frame][joint][3], unit vectors along the bones
+  Array<double> tips;        ///< [frame][tip][3], the tips of joint 0 first
 };
 
 /// Poses in the world: world_from_joint.

@@ -40,7 +40,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 void Diagnostics::add(Severity severity, std::string code, std::string message) {
-  add(Diagnostic{severity, std::move(code), std::move(message), {}, {}, 0});
+  add(Diagnostic{severity, {}, std::move(code), std::move(message), {}, {}, 0});
 }
 
 bool Diagnostics::is_full(const std::string& code, Severity severity) const {

@@ -27,7 +27,7 @@ Motion in_degrees(Motion motion) {
       if (dof.kind != DofKind::Rotation) continue;
       dof.rest /= kRadiansPerDegree;
       for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
-        motion.clip.row(f)[dof.coordinate] /= kRadiansPerDegree;
+        motion.clip.mutate()[f][dof.coordinate] /= kRadiansPerDegree;
       }
     }
   }

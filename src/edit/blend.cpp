@@ -72,7 +72,7 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;
   std::vector<double> near(before.begin(), before.end());
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = clip.row(f);
+    const auto row = clip.mutate()[f];
     const Vec3 place = position_in_row(root, translations, row);
     if (!translations.empty())
       fit_position(root, translations, move.turn * place + move.shift, row);

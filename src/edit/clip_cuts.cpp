@@ -17,9 +17,9 @@ Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end) {
   Motion result{motion.skeleton, {}};
   result.clip.num_frames = end - begin;
   result.clip.num_coordinates = clip.num_coordinates;
-  const double* values = clip.values.data();
-  result.clip.values.assign(values + begin * clip.num_coordinates,
-                            values + end * clip.num_coordinates);
+  result.clip.values = Array<double>(
+      std::span<const double>(clip.values)
+          .subspan(begin * clip.num_coordinates, result.clip.num_frames * clip.num_coordinates));
   Timeline& timeline = result.clip.timeline;
   timeline = clip.timeline;
   timeline.first_frame_number += static_cast<std::int64_t>(begin);
@@ -35,7 +35,7 @@ Motion reverse(const Motion& motion) {
   Clip& clip = result.clip;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = motion.clip.row(clip.num_frames - 1 - f);
-    std::copy(row.begin(), row.end(), clip.row(f).begin());
+    std::copy(row.begin(), row.end(), clip.mutate()[f].begin());
   }
   const auto& times = motion.clip.timeline.times;
   for (std::size_t f = 0; f < times.size(); ++f) {

@@ -43,7 +43,7 @@ Vec3 opposite(const Vec3& axis) { return Vec3::Zero() - axis; }
 
 void negate_column(Clip& clip, std::size_t column) {
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    clip.row(f)[column] = -clip.row(f)[column];
+    clip.mutate()[f][column] = -clip.row(f)[column];
   }
 }
 
@@ -56,7 +56,7 @@ void turn_free_pose(const QuarterTurn& turn, double* pose) {
 }
 
 void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &clip.row(f)[first]);
+  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &clip.mutate()[f][first]);
 }
 
 /// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
@@ -112,7 +112,7 @@ void hold_column(Clip& clip, std::size_t column) {
   std::size_t first = 0;
   while (first < clip.num_frames && !std::isfinite(clip.row(first)[column])) ++first;
   for (std::size_t f = first; f < clip.num_frames; ++f) {
-    if (std::isfinite(clip.row(f)[column])) clip.row(f)[column] = clip.row(first)[column];
+    if (std::isfinite(clip.row(f)[column])) clip.mutate()[f][column] = clip.row(first)[column];
   }
 }
 
@@ -127,7 +127,7 @@ void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& t
     const double height = place[up];
     place = *start;
     place[up] = height;
-    fit_position(root, translations, place, clip.row(f));
+    fit_position(root, translations, place, clip.mutate()[f]);
   }
 }
 
@@ -146,7 +146,7 @@ Motion scale(const Motion& motion, double factor) {
   }
   const std::vector<bool> is_scaled = length_columns(motion.skeleton);
   for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
-    const auto row = result.clip.row(f);
+    const auto row = result.clip.mutate()[f];
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (is_scaled[c]) row[c] *= factor;
     }

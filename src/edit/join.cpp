@@ -112,8 +112,8 @@ void append_times(Clip& first, const Clip& second, std::size_t num_blend_frames)
 }
 
 void append_rows(Clip& first, const Clip& second, std::size_t begin) {
-  const auto skipped = static_cast<std::ptrdiff_t>(begin * second.num_coordinates);
-  first.values.insert(first.values.end(), second.values.begin() + skipped, second.values.end());
+  first.values.append(
+      std::span<const double>(second.values).subspan(begin * second.num_coordinates));
   first.num_frames += second.num_frames - begin;
 }
 
@@ -130,7 +130,7 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
   const Blender blender(first.skeleton);
   for (std::size_t i = 0; i < num_blend_frames; ++i) {
     const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
-    blender.blend(moved.clip.row(i), u * u * (3 - 2 * u), first.clip.row(overlap + i));
+    blender.blend(moved.clip.row(i), u * u * (3 - 2 * u), first.clip.mutate()[overlap + i]);
   }
   append_rows(first.clip, moved.clip, num_blend_frames);
   // Both may hold the same rotation in angles that are whole turns apart.

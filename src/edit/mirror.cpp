@@ -52,7 +52,7 @@ struct MirrorContext {
 std::vector<Quat> rest_frames(const Skeleton& skeleton) {
   std::vector<Quat> frames;
   for (const Joint& joint : skeleton.joints) {
-    const Quat parent = joint.parent == kNoParent ? Quat::Identity() : frames[joint.parent];
+    const Quat parent = joint.parent == kNoParent ? Quat(Quat::Identity()) : frames[joint.parent];
     frames.push_back(parent * joint.rest_rotation);
   }
   return frames;
@@ -204,7 +204,7 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, Clip&
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = context.motion.clip.row(f);
     if (from && to) {
-      mirror_free(plan, *from, *to, row, clip.row(f));
+      mirror_free(plan, *from, *to, row, clip.mutate()[f]);
       continue;
     }
     const Mat3 rotation =
@@ -216,9 +216,9 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, Clip&
       left = std::max(left, fit_rotation(rotations, rotation, skeleton.angle_unit, found));
     }
     if (rotation.allFinite()) near = found;
-    for (std::size_t k = 0; to && k < 4; ++k) clip.row(f)[*to + 3 + k] = found[*to + 3 + k];
+    for (std::size_t k = 0; to && k < 4; ++k) clip.mutate()[f][*to + 3 + k] = found[*to + 3 + k];
     for (const DegreeOfFreedom& dof : rotations) {
-      clip.row(f)[dof.coordinate] =
+      clip.mutate()[f][dof.coordinate] =
           rotation.allFinite() ? found[dof.coordinate] : std::numeric_limits<double>::quiet_NaN();
     }
   }
@@ -235,7 +235,7 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, Clip&
   double left = 0;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const Vec3 place = position_in_row(source, from, context.motion.clip.row(f));
-    left = std::max(left, fit_position(target, to, reflect(plan.parent, place), clip.row(f)));
+    left = std::max(left, fit_position(target, to, reflect(plan.parent, place), clip.mutate()[f]));
   }
   return left;
 }
@@ -246,7 +246,7 @@ Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, C
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     for (const Copy& copy : plan.copies) {
       const double value = context.motion.clip.row(f)[copy.from];
-      clip.row(f)[copy.to] = copy.sign < 0 ? -value : value;
+      clip.mutate()[f][copy.to] = copy.sign < 0 ? -value : value;
     }
   }
   // Both are found, whatever comes of the other.

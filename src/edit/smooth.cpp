@@ -95,7 +95,7 @@ bool is_constant(const Clip& clip, const std::vector<std::size_t>& columns) {
 void smooth_column(const Filter& filter, std::size_t column, Clip& clip) {
   std::vector<double> numbers = column_of(clip, column);
   filter.run(numbers);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) clip.row(f)[column] = numbers[f];
+  for (std::size_t f = 0; f < clip.num_frames; ++f) clip.mutate()[f][column] = numbers[f];
 }
 
 /// Smooths angles as if they did not jump by whole turns; where they did, they still do.
@@ -107,7 +107,8 @@ void smooth_angle(const Filter& filter, std::size_t column, double turn, Clip& c
     numbers[f] += shifts[f];
   }
   filter.run(numbers);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) clip.row(f)[column] = numbers[f] - shifts[f];
+  for (std::size_t f = 0; f < clip.num_frames; ++f)
+    clip.mutate()[f][column] = numbers[f] - shifts[f];
 }
 
 /// Smooths rotations by the components of their quaternions, each on the side of the one before.
@@ -137,7 +138,7 @@ void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs
   }
   smooth_rotations(filter, rotations);
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    fit_rotation(dofs, rotations[f].toRotationMatrix(), unit, clip.row(f));
+    fit_rotation(dofs, rotations[f].toRotationMatrix(), unit, clip.mutate()[f]);
   }
 }
 
@@ -148,7 +149,7 @@ void smooth_free(const Filter& filter, std::size_t column, Clip& clip) {
   }
   smooth_rotations(filter, rotations);
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    set_free_rotation(clip.row(f), column, rotations[f]);
+    set_free_rotation(clip.mutate()[f], column, rotations[f]);
   }
 }
 

@@ -22,7 +22,7 @@ double nearest_turn(double angle, double near, double turn) {
 void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double turn) {
   std::optional<double> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    double& angle = clip.row(f)[column];
+    double& angle = clip.mutate()[f][column];
     if (!std::isfinite(angle)) continue;
     if (before) angle = nearest_turn(angle, *before, turn);
     before = angle;
@@ -61,7 +61,7 @@ void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double t
       if (step > turn / 4 && (twin - *before).cwiseAbs().maxCoeff() < step) best = twin;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      clip.row(f)[triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
+      clip.mutate()[f][triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
     }
     before = best;
   }
@@ -101,7 +101,7 @@ std::vector<bool> angle_columns(const Skeleton& skeleton) {
 void unwrap_free(Clip& clip, std::size_t begin, std::size_t first) {
   std::optional<Eigen::Vector4d> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    Eigen::Map<Eigen::Vector4d> quaternion(&clip.row(f)[first + 3]);
+    Eigen::Map<Eigen::Vector4d> quaternion(&clip.mutate()[f][first + 3]);
     if (!quaternion.allFinite()) continue;
     if (before && quaternion.dot(*before) < 0) quaternion = -quaternion;
     before = quaternion;

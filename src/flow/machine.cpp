@@ -44,9 +44,7 @@ void set_variables(Machine& machine,
 }
 
 void add_row(Machine& machine) {
-  const auto sliders = machine.variables.begin();
-  machine.run.sliders.insert(machine.run.sliders.end(), sliders,
-                             sliders + static_cast<std::ptrdiff_t>(machine.flow.num_sliders));
+  machine.run.sliders.append({machine.variables.data(), machine.flow.num_sliders});
 }
 
 /// Where the sliders are and where a pose wants them; those that jump are there already.

@@ -88,9 +88,7 @@ void compute(const Skeleton& skeleton, const Clip& clip, const KinematicsOptions
   if (options.rotations) out.rotations.resize(num_poses * 4);
   if (options.directions) out.directions.resize(num_poses * 3);
   if (options.tips) out.tips.resize(out.num_frames * out.num_tips * 3);
-  const auto data = [](std::vector<double>& array) {
-    return array.empty() ? nullptr : array.data();
-  };
+  const auto data = [](Array<double>& array) { return array.mutate().data(); };
   const simd::Rows rows{clip.values.data() + out.first_frame * clip.num_coordinates, out.num_frames,
                         clip.num_coordinates * out.frame_step};
   simd::place_frames(make_plan(skeleton, is_local), rows,

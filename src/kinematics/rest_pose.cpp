@@ -16,7 +16,7 @@ Vec3 bone_vector(const Skeleton& skeleton, const Joint& joint,
   return joint.tips.empty() ? sum : sum / static_cast<double>(joint.tips.size());
 }
 
-void include_points(const std::vector<double>& points, Box& box) {
+void include_points(std::span<const double> points, Box& box) {
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     const Vec3 point(points[i], points[i + 1], points[i + 2]);
     if (!point.allFinite()) continue;

@@ -41,8 +41,9 @@ std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> 
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-std::vector<double> poses_as_roll_pitch_yaw(const Component& component) {
-  std::vector<double> values(component.num_frames * component.num_parts * 6);
+Array<double> poses_as_roll_pitch_yaw(const Component& component) {
+  Array<double> values(component.num_frames * component.num_parts * 6);
+  const std::span<double> written = values.mutate();
   const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
   for (std::size_t p = 0; p < component.num_parts; ++p) {
     Vec3 near = Vec3::Zero();
@@ -50,7 +51,7 @@ std::vector<double> poses_as_roll_pitch_yaw(const Component& component) {
       const auto pose = component.row(f).subspan(p * 7, 7);
       const Quat q = Quat(pose[3], pose[4], pose[5], pose[6]).normalized();
       near = euler_angles(q.toRotationMatrix(), axes, near);
-      double* out = values.data() + (f * component.num_parts + p) * 6;
+      double* out = written.data() + (f * component.num_parts + p) * 6;
       std::copy(pose.begin(), pose.begin() + 3, out);
       for (Eigen::Index k = 0; k < 3; ++k) out[5 - k] = near[k];
     }

@@ -60,7 +60,7 @@ Motion with_frames(const Motion& motion, const std::vector<std::size_t>& frames)
   result.clip.num_coordinates = motion.clip.num_coordinates;
   for (const std::size_t frame : frames) {
     const auto row = motion.clip.row(frame);
-    result.clip.values.insert(result.clip.values.end(), row.begin(), row.end());
+    result.clip.values.append(row);
   }
   return result;
 }

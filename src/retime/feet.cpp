@@ -18,7 +18,7 @@ bool is_called_foot(const std::string& name) {
   return has("foot") || has("toe") || has("ankle") || is_ball || has("\u8db3");
 }
 
-Vec3 point_at(const std::vector<double>& points, std::size_t index) {
+Vec3 point_at(std::span<const double> points, std::size_t index) {
   return {points[index * 3], points[index * 3 + 1], points[index * 3 + 2]};
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Copies the numbers of some joints from rows that hold all.
 /// \param size  numbers a joint
-void append_joints(const std::vector<double>& all, const PoseArrays& poses, std::size_t size,
+void append_joints(std::span<const double> all, const PoseArrays& poses, std::size_t size,
                    const std::vector<std::size_t>& joints, std::vector<double>& some) {
   for (std::size_t row = 0; row < poses.num_frames; ++row) {
     for (const std::size_t joint : joints) {

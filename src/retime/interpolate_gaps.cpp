@@ -86,7 +86,7 @@ void mark_step(const Motion& motion, const std::vector<Group>& groups, const Ste
     const auto gap = find_gap(motion.clip, group, frames, step.new_frame);
     if (!gap) continue;
     for (const std::size_t column : group) {
-      new_clip.row(step.new_frame)[column] = std::numeric_limits<double>::quiet_NaN();
+      new_clip.mutate()[step.new_frame][column] = std::numeric_limits<double>::quiet_NaN();
     }
     const std::size_t joint = motion.skeleton.coordinates[gap->column].joint;
     if (gaps[joint].num_frames == 0) gaps[joint] = *gap;

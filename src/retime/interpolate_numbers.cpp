@@ -10,7 +10,7 @@ void interpolate_rows(const Clip& old_clip, const std::vector<Step>& steps, Clip
     const Around frames = around(step, old_clip.num_frames);
     const auto from = old_clip.row(frames.from);
     const auto to = old_clip.row(frames.to);
-    const auto row = new_clip.row(step.new_frame);
+    const auto row = new_clip.mutate()[step.new_frame];
     if (step.t == 0) {
       std::copy(from.begin(), from.end(), row.begin());
       continue;
@@ -31,7 +31,7 @@ void curve_columns(const Clip& old_clip, const std::vector<Step>& steps,
     const auto after = old_clip.row(frames.after);
     const bool is_first = frames.before == frames.from;
     const bool is_last = frames.after == frames.to;
-    const auto row = new_clip.row(step.new_frame);
+    const auto row = new_clip.mutate()[step.new_frame];
     for (const std::size_t c : columns) {
       // Half the way from the frame before to the frame after is the rate at a frame.
       const double way = to[c] - from[c];
@@ -49,7 +49,7 @@ void average_columns(const Clip& old_clip, const std::vector<Step>& steps,
   for (const Step& step : steps) {
     if (!step.is_average()) continue;
     const auto from = old_clip.row(step.old_frame);
-    const auto row = new_clip.row(step.new_frame);
+    const auto row = new_clip.mutate()[step.new_frame];
     for (const std::size_t c : columns) row[c] = from[c];
     // Differences are averaged, so that what does not move keeps its bits.
     for (const Tap& tap : taps_of(step, old_clip.num_frames)) {

@@ -137,7 +137,7 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
   }
   simd::angles_of_quaternions(joint.form, work.new_rotations, work.new_angles);
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    const auto row = new_clip.row(batch.steps[i].new_frame);
+    const auto row = new_clip.mutate()[batch.steps[i].new_frame];
     for (std::size_t k = 0; k < 3; ++k) row[joint.columns[k]] = work.new_angles[k][i];
   }
 }
@@ -153,7 +153,7 @@ void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& f
   }
   interpolate(batch, rotation, work);
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    double* q = &new_clip.row(batch.steps[i].new_frame)[free.first_column];
+    double* q = &new_clip.mutate()[batch.steps[i].new_frame][free.first_column];
     const Quat result = on_side_of(quaternion_at(work.new_rotations, i).normalized(),
                                    quaternion_at(work.old_rotations, batch.places[i].from));
     q[0] = result.w();

@@ -123,7 +123,7 @@ Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) 
   for (std::size_t f = 0; f < all.clip.num_frames; ++f) {
     for (const Motion& part : parts) {
       const auto row = part.clip.row(f);
-      all.clip.values.insert(all.clip.values.end(), row.begin(), row.end());
+      all.clip.values.append(row);
     }
   }
   return all;
@@ -222,7 +222,7 @@ Motion without_free_joints(const Motion& motion) {
   std::vector<Vec3> near(freed.size(), Vec3::Zero());
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto from = motion.clip.row(f);
-    const auto to = clip.row(f);
+    const auto to = clip.mutate()[f];
     for (std::size_t c = 0; c < old_columns.size(); ++c) {
       if (old_columns[c] != kNoParent) to[c] = from[old_columns[c]];
     }

@@ -168,7 +168,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
   moved.clip.values.clear();
   moved.clip.num_frames = motion.clip.num_frames;
   moved.clip.timeline = motion.clip.timeline;
-  std::vector<double> row(robot_rest.values);
+  std::vector<double> row(robot_rest.values.begin(), robot_rest.values.end());
   std::vector<Quat> world(robot.joints.size(), Quat::Identity());
   Quat root_before = Quat::Identity();
   const std::size_t block = frames_per_block(motion.skeleton);
@@ -211,7 +211,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
           follower.largest_frame = first + r;
         }
       }
-      moved.clip.values.insert(moved.clip.values.end(), row.begin(), row.end());
+      moved.clip.values.append(row);
     }
   }
   tell(followers, motion, robot, diagnostics);

@@ -121,8 +121,8 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
   clip.timeline = main.timeline;
   clip.values.reserve(clip.num_frames * clip.num_coordinates);
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    clip.values.insert(clip.values.end(), rest.begin(), rest.end());
-    const auto row = clip.row(f);
+    const std::span<double> row = clip.values.grow(rest.size());
+    std::copy(rest.begin(), rest.end(), row.begin());
     if (recorded.links != nullptr) {
       const auto root = recorded.links->row(f).first(num_root);
       std::copy(root.begin(), root.end(), row.begin());
@@ -151,17 +151,18 @@ void put_recorded_links(const BodyMotion& motion, const Skeleton& skeleton, Pose
       const auto recorded = links->row(frame).subspan(j * links->width(), links->width());
       const std::size_t at = row * poses.num_joints + j;
       std::copy_n(recorded.begin(), 3,
-                  poses.positions.begin() + static_cast<std::ptrdiff_t>(at * 3));
+                  poses.positions.mutate().begin() + static_cast<std::ptrdiff_t>(at * 3));
       const Quat q = rotation_of(*links, recorded);
       if (!poses.rotations.empty()) {
         const Quat shown = q.w() < 0 ? Quat(-q.coeffs()) : q;
         const double numbers[] = {shown.w(), shown.x(), shown.y(), shown.z()};
-        std::copy_n(numbers, 4, poses.rotations.begin() + static_cast<std::ptrdiff_t>(at * 4));
+        std::copy_n(numbers, 4,
+                    poses.rotations.mutate().begin() + static_cast<std::ptrdiff_t>(at * 4));
       }
       if (!poses.directions.empty()) {
         const Vec3 direction = q * directions[j];
         std::copy_n(direction.data(), 3,
-                    poses.directions.begin() + static_cast<std::ptrdiff_t>(at * 3));
+                    poses.directions.mutate().begin() + static_cast<std::ptrdiff_t>(at * 3));
       }
     }
   }

@@ -38,9 +38,9 @@ Component links_of(const Motion& motion) {
       const double* r = poses.rotations.data() + i * 4;
       Quat& last = before[i % poses.num_joints];
       last = on_side_of(Quat(r[0], r[1], r[2], r[3]), last);
-      for (std::size_t k = 0; k < 3; ++k) links.values.push_back(p[k] * scale);
-      const double numbers[] = {last.w(), last.x(), last.y(), last.z()};
-      links.values.insert(links.values.end(), numbers, numbers + 4);
+      const double numbers[] = {p[0] * scale, p[1] * scale, p[2] * scale, last.w(),
+                                last.x(),     last.y(),     last.z()};
+      links.values.append(numbers);
     }
   }
   return links;
@@ -51,7 +51,7 @@ Component columns_of(const Motion& motion, std::size_t begin, std::size_t end,
                      Component component) {
   for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
     const auto row = motion.clip.row(f).subspan(begin, end - begin);
-    component.values.insert(component.values.end(), row.begin(), row.end());
+    component.values.append(row);
   }
   return component;
 }
@@ -109,7 +109,7 @@ Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnost
     const auto root = links->row(std::min(f, links->num_frames - 1)).first(links->width());
     const Quat rotation = rotation_of(*links, root);
     const Vec3 position(root[0], root[1], root[2]);
-    const auto row = out.row(f);
+    const std::span<double> row = out.mutate()[f];
     const Vec3 point(row[0], row[1], row[2]);
     const Vec3 moved = is_root_relative ? rotation.conjugate() * (point - position)
                                         : Vec3(rotation * point + position);

@@ -39,7 +39,7 @@ void find_joints(const Component& links, Motion& posed) {
                          world_from_parent * joint.offset;
         near = (rest_from_world * way).dot(dof.axis);
       }
-      posed.clip.row(f)[dof.coordinate] = near;
+      posed.clip.mutate()[f][dof.coordinate] = near;
     }
   }
 }

@@ -128,17 +128,15 @@ Timeline timeline_of(const ServoMap& map) {
 }
 
 /// The rows of a run: a row at rest, with the joints' angles put in.
-std::vector<double> rows_of(const flow::Run& run, const ServoMap& map,
-                            const std::vector<double>& rest,
-                            const std::vector<MappedAngle>& angles) {
-  std::vector<double> values;
+Array<double> rows_of(const flow::Run& run, const ServoMap& map, const std::vector<double>& rest,
+                      const std::vector<MappedAngle>& angles) {
+  Array<double> values;
   values.reserve((run.num_ticks + 1) * rest.size());
   for (std::size_t tick = 0; tick <= run.num_ticks; ++tick) {
-    const std::size_t first = values.size();
-    values.insert(values.end(), rest.begin(), rest.end());
+    const std::span<double> row = values.grow(rest.size());
+    std::copy(rest.begin(), rest.end(), row.begin());
     for (const MappedAngle& angle : angles) {
-      values[first + angle.column] =
-          angle_at(run, tick, map, map.entries[angle.entry]) / angle.radians;
+      row[angle.column] = angle_at(run, tick, map, map.entries[angle.entry]) / angle.radians;
     }
   }
   return values;
@@ -160,8 +158,8 @@ void tell_missing_sliders(const flow::Run& run, const ServoMap& map,
 }
 
 /// Rows of numbers over time, of which a trajectory takes some columns.
-struct Rows {
-  const std::vector<double>& values;
+struct RecordedRows {
+  std::span<const double> values;
   std::size_t num_frames;
   std::size_t row_size;
   const Timeline& timeline;
@@ -176,7 +174,7 @@ std::pair<std::size_t, double> frame_at(const std::vector<double>& times, double
   return {before, (seconds - times[before]) / (*next - times[before])};
 }
 
-Result<JointTrajectory> trajectory_of_rows(const Rows& rows, const ServoMap& map,
+Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const ServoMap& map,
                                            const std::vector<MappedAngle>& angles) {
   JointTrajectory trajectory;
   for (const MappedAngle& angle : angles) {

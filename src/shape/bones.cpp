@@ -228,7 +228,7 @@ void fill_values(Builder& builder) {
     for (std::size_t c = 0; c < builder.columns.size(); ++c) {
       const NewColumn& column = builder.columns[c];
       const double value = old.row(f)[column.old_column];
-      clip.row(f)[c] = column.minus == 0 ? value : value - column.minus;
+      clip.mutate()[f][c] = column.minus == 0 ? value : value - column.minus;
     }
   }
 }

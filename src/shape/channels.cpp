@@ -286,7 +286,7 @@ void fill_columns(const Motion& source, std::size_t joint_index, const JointChan
     const Vec3 position = position_in_row(change, base, row);
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const ColumnSource& column = change.columns[c];
-      double& value = out.row(f)[first_column + c];
+      double& value = out.mutate()[f][first_column + c];
       if (column.from == ColumnSource::From::Column) value = row[column.column];
       if (column.from == ColumnSource::From::Constant) value = column.constant;
       if (column.from == ColumnSource::From::Angle) {

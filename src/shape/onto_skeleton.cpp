@@ -84,7 +84,7 @@ Residue move_joint(const Motion& from, const Match& match, double scale, Motion&
   const auto target_rotations = rotations_of(target);
   Residue residue;
   for (std::size_t f = 0; f < from.clip.num_frames; ++f) {
-    const auto row = result.clip.row(f);
+    const auto row = result.clip.mutate()[f];
     if (f > 0) {  // near the frame before
       const auto before = result.clip.row(f - 1);
       for (const DegreeOfFreedom& dof : target_rotations) {
@@ -157,7 +157,7 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
   result.clip.num_coordinates = skeleton.coordinates.size();
   const std::vector<double> rest = rest_coordinates(skeleton);
   for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
-    result.clip.values.insert(result.clip.values.end(), rest.begin(), rest.end());
+    result.clip.values.append(rest);
   }
   const double from_unit = motion.skeleton.metres_per_unit;
   const bool has_units = from_unit > 0 && skeleton.metres_per_unit > 0;

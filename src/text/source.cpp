@@ -67,7 +67,8 @@ Place Source::place_of(const char* position) const {
 
 Diagnostic Source::diagnose(Severity severity, std::string code, std::string message,
                             const char* position) const {
-  Diagnostic diagnostic{severity, std::move(code), std::move(message), place_of(position), {}, 0};
+  Diagnostic diagnostic{severity, {}, std::move(code), std::move(message), place_of(position),
+                        {},       0};
   const std::size_t start = line_starts_[diagnostic.place.line - 1];
   cut_excerpt(text_.substr(start), diagnostic.place.column - 1, diagnostic);
   return diagnostic;

@@ -80,7 +80,7 @@ ReadText random_motion(Random& random) {
   return read_bvh(random_bvh(random), options);
 }
 
-bool bits_agree(const std::vector<double>& a, const std::vector<double>& b) {
+bool bits_agree(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }

@@ -78,13 +78,13 @@ servo::JointTrajectory swinging(std::size_t num_joints, std::size_t num_frames,
   servo::JointTrajectory trajectory;
   trajectory.num_frames = num_frames;
   trajectory.frame_time = 1.0 / 60;
-  trajectory.angles.resize(num_frames * num_joints);
+  trajectory.angles.assign(num_frames * num_joints, 0.0);
   for (std::size_t j = 0; j < num_joints; ++j) {
     trajectory.joints.push_back("j" + std::to_string(j));
     for (int wave = 1; wave <= 3; ++wave) {
       const double size = up_to(0.6) / wave, rate = wave * (0.02 + up_to(0.04)), phase = up_to(6);
       for (std::size_t f = 0; f < num_frames; ++f) {
-        trajectory.angles[f * num_joints + j] +=
+        trajectory.angles.mutate()[f * num_joints + j] +=
             size * std::sin(rate * static_cast<double>(f) + phase);
       }
     }

@@ -40,7 +40,7 @@ Motion turning_motion(const EulerAxes& axes, const std::vector<Vec3>& rows, Angl
   motion.clip.num_frames = rows.size();
   motion.clip.num_coordinates = 3;
   for (const Vec3& row : rows) {
-    motion.clip.values.insert(motion.clip.values.end(), {row[0], row[1], row[2]});
+    motion.clip.values.append({row[0], row[1], row[2]});
   }
   return motion;
 }
@@ -57,7 +57,7 @@ Motion free_motion(const std::vector<std::vector<double>>& rows) {
   motion.clip.num_frames = rows.size();
   motion.clip.num_coordinates = 7;
   for (const auto& row : rows) {
-    motion.clip.values.insert(motion.clip.values.end(), row.begin(), row.end());
+    motion.clip.values.append(row);
   }
   return motion;
 }

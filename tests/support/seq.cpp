@@ -63,7 +63,7 @@ std::string seq_of(const std::vector<std::string>& components, const std::string
   return text;
 }
 
-void expect_same_bits(const std::vector<double>& found, const std::vector<double>& expected,
+void expect_same_bits(std::span<const double> found, std::span<const double> expected,
                       const std::string& what) {
   ASSERT_EQ(found.size(), expected.size()) << what;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -26,7 +26,7 @@ std::string zmp(const std::vector<std::string>& rows, const std::string& keys = 
 std::string seq_of(const std::vector<std::string>& components, const std::string& keys = "");
 
 /// Fails the test where two numbers differ in a bit. Any nan is like any other.
-void expect_same_bits(const std::vector<double>& found, const std::vector<double>& expected,
+void expect_same_bits(std::span<const double> found, std::span<const double> expected,
                       const std::string& what = "");
 
 /// Fails the test where components differ: in kind, content, numbers, times, or what is unknown.

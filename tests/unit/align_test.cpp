@@ -109,8 +109,8 @@ TEST(AlignMap, PointsMayBeMovedOnTheGround) {
   Motion elsewhere = walk;
   elsewhere.skeleton.joints[0].rest_rotation = Quat(Eigen::AngleAxisd(2, Vec3::UnitY()));
   for (std::size_t f = 0; f < 200; ++f) {
-    elsewhere.clip.row(f)[0] += 500;
-    elsewhere.clip.row(f)[2] -= 300;
+    elsewhere.clip.mutate()[f][0] += 500;
+    elsewhere.clip.mutate()[f][2] -= 300;
   }
   const auto frames = aligned(elsewhere, walk, retime::AlignOptions::By::Points);
   for (std::size_t n = 0; n < frames.size(); ++n) ASSERT_NEAR(frames[n], double(n), 1e-9);
@@ -153,7 +153,7 @@ TEST(AlignMap, LongMotionsTakeASecondOrTwo) {
 TEST(AlignMap, FramesThatAreNotFiniteDoNotMatter) {
   const Motion walk = examples::make_walk({.num_frames = 100});
   Motion broken = walk;
-  for (double& value : broken.clip.row(50)) value = std::numeric_limits<double>::quiet_NaN();
+  for (double& value : broken.clip.mutate()[50]) value = std::numeric_limits<double>::quiet_NaN();
   for (const auto by : kWays) {
     const auto frames = aligned(broken, walk, by);
     expect_rise(frames, 100);

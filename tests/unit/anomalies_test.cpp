@@ -17,7 +17,7 @@ Motion walk_with_head(std::size_t num_frames, const std::vector<std::size_t>& fr
                       double degrees) {
   constexpr std::size_t kHeadY = 3 + 6 * 3 - 1;
   Motion walk = examples::make_walk({.num_frames = num_frames});
-  for (const std::size_t f : frames) walk.clip.row(f)[kHeadY] += degrees;
+  for (const std::size_t f : frames) walk.clip.mutate()[f][kHeadY] += degrees;
   return walk;
 }
 
@@ -63,8 +63,8 @@ TEST(FindSuddenTurns, FindsThoseAtTheBordersOfBlocks) {
 
 TEST(FindSuddenTurns, SkipsNumbersThatAreNotFinite) {
   Motion walk = walk_with_head(40, {13, 30}, 170);
-  walk.clip.row(12)[20] = std::nan("");
-  walk.clip.row(31)[20] = std::nan("");
+  walk.clip.mutate()[12][20] = std::nan("");
+  walk.clip.mutate()[31][20] = std::nan("");
   const auto turns = find_sudden_turns(walk);
   // Nobody knows how the head came to frame 13: what is seen is that it leaves there.
   ASSERT_EQ(turns.size(), 2u);

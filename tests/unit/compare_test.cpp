@@ -41,7 +41,7 @@ TEST(CompareMotions, LengthsAreInTheFirstMotionsUnit) {
 TEST(CompareMotions, SaysWhereAndWhenTheyDiffer) {
   const Motion a = test::motion_of(test::bvh_with_rows({"0 0 0 0 0 0 0 0 0", "0 0 0 0 0 0 0 0 0"}));
   Motion b = a;
-  b.clip.row(1)[3] = 90;
+  b.clip.mutate()[1][3] = 90;
   const MotionComparison comparison = compare_motions(a, b);
   EXPECT_EQ(comparison.rotation.joint, "Hips");
   EXPECT_NEAR(comparison.rotation.value, 90, 1e-12);
@@ -73,7 +73,7 @@ TEST(CompareMotions, NamesJointsThatOneOfThemLacks) {
 TEST(CompareMotions, NanAgreesWithNanAlone) {
   const Motion a = test::motion_of(test::bvh_with_rows({"0 0 0 0 0 0 0 0 0"}));
   Motion b = a;
-  b.clip.values[0] = NAN;
+  b.clip.values.mutate()[0] = NAN;
   EXPECT_EQ(compare_motions(b, b).distance.value, 0);
   EXPECT_EQ(compare_motions(a, b).distance.value, INFINITY);
 }

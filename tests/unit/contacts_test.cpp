@@ -75,7 +75,7 @@ TEST(ContactWeights, UsesTheUnitOfTheMotion) {
 
 TEST(ContactWeights, AShortTouchIsNoContact) {
   Motion motion = hopper();
-  for (std::size_t f = 72; f < 78; ++f) motion.clip.values[f] = 0;  // 50 ms
+  for (std::size_t f = 72; f < 78; ++f) motion.clip.values.mutate()[f] = 0;  // 50 ms
   expect_hop(weights_of(motion, {"RTM006"}));
 }
 
@@ -98,7 +98,7 @@ TEST(ContactWeights, AFootThatSlidesIsNotOnTheGround) {
 
 TEST(ContactWeights, FramesThatAreNotFiniteAreNoContact) {
   Motion motion = hopper();
-  motion.clip.values[20] = std::numeric_limits<double>::quiet_NaN();
+  motion.clip.values.mutate()[20] = std::numeric_limits<double>::quiet_NaN();
   const auto weights = weights_of(motion, {"RTM006"});
   EXPECT_EQ(weights[20], 0);
   EXPECT_EQ(weights[5], 1);

@@ -7,7 +7,7 @@ namespace kinefile {
 namespace {
 
 Diagnostic warning(std::string code) {
-  return {Severity::Warning, std::move(code), "something", {"a.bvh", 3, 5}, "one two", 4};
+  return {Severity::Warning, {}, std::move(code), "something", {"a.bvh", 3, 5}, "one two", 4};
 }
 
 TEST(Diagnostics, FormatsPlaceSeverityCodeAndCaret) {

@@ -25,7 +25,7 @@ WorldPoses placed(const Motion& motion) {
   return forward_kinematics(motion.skeleton, motion.clip, options);
 }
 
-void expect_turned_to_z(const std::vector<double>& before, const std::vector<double>& after) {
+void expect_turned_to_z(const Array<double>& before, const Array<double>& after) {
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); i += 3) {
     EXPECT_NEAR(after[i], before[i], 1e-10);
@@ -121,7 +121,7 @@ TEST(GuessUpAxis, TellsItFromTheRestPoseWithoutFrames) {
 TEST(GuessUpAxis, IsYInDoubt) {
   EXPECT_EQ(guess_up_axis(Motion{}), 1u);
   Motion nowhere = examples::make_walk({.num_frames = 2});
-  for (double& value : nowhere.clip.values) value = std::nan("");
+  for (double& value : nowhere.clip.values.mutate()) value = std::nan("");
   EXPECT_EQ(guess_up_axis(nowhere), 1u);
 }
 
@@ -158,7 +158,7 @@ TEST(InPlace, HoldsFreeRootsAndTurnedOnes) {
   root.dofs = {{DofKind::Translation, Vec3(0, 0.6, 0.8), 0, 0},
                {DofKind::Translation, Vec3(0, 0.8, -0.6), 1, 0}};
   const WorldPoses before = placed(figure);
-  figure.clip.row(1)[0] = 5;
+  figure.clip.mutate()[1][0] = 5;
   const double height = placed(figure).positions[9 + 1];
   const WorldPoses after = placed(edit::in_place(figure));
   EXPECT_NEAR(after.positions[9 + 2], before.positions[2], 1e-12);
@@ -175,7 +175,7 @@ TEST(InPlace, LeavesARootThatCannotSlide) {
 TEST(InPlace, PassesOverNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 3});
   const double start = walk.clip.row(1)[2];
-  walk.clip.row(0)[2] = std::nan("");
+  walk.clip.mutate()[0][2] = std::nan("");
   const Motion there = edit::in_place(walk);
   EXPECT_TRUE(std::isnan(there.clip.row(0)[2]));
   EXPECT_EQ(there.clip.row(2)[2], start);

@@ -45,8 +45,8 @@ TEST(Appended, KeepsEveryBit) {
   const auto both = edit::append(walk, other, 0);
   ASSERT_TRUE(both);
   EXPECT_EQ(both->clip.num_frames, 11u);
-  std::vector<double> values = walk.clip.values;
-  values.insert(values.end(), other.clip.values.begin(), other.clip.values.end());
+  Array<double> values = walk.clip.values;
+  values.append(other.clip.values);
   EXPECT_EQ(both->clip.values, values);
 }
 
@@ -161,7 +161,7 @@ TEST(Looped, WalksOnWhenBlended) {
 TEST(Looped, AnglesThatAreWholeTurnsApartAtTheSeamDoNotJump) {
   Motion walk = examples::make_walk({.num_frames = 60});
   for (std::size_t f = 0; f < 60; ++f) {  // every angle winds up by a whole turn over the clip
-    const auto row = walk.clip.row(f);
+    const auto row = walk.clip.mutate()[f];
     for (std::size_t c = 3; c < row.size(); ++c) row[c] += 360 * static_cast<double>(f) / 59;
   }
   const auto twice = edit::loop(walk, 2, 10);
@@ -194,7 +194,7 @@ TEST(Looped, NeedsNoFramesAndNoColumns) {
 TEST(Looped, OneFrameAndNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 1});
   EXPECT_EQ(edit::loop(walk, 3, 1)->clip.num_frames, 1u);
-  walk.clip.row(0)[5] = std::nan("");
+  walk.clip.mutate()[0][5] = std::nan("");
   EXPECT_EQ(edit::loop(walk, 3, 1)->clip.num_frames, 1u);
   EXPECT_EQ(edit::loop(walk, 3, 0)->clip.num_frames, 3u);
 }

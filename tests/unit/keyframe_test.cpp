@@ -168,8 +168,7 @@ TEST(Keyframe, WhatLimitsCutOffDoesNotSpoilTheRest) {
   servo::JointTrajectory trajectory = trajectory_of_degrees({});
   trajectory.joints = {"j0", "j1"};
   for (const double degrees : kTent) {
-    trajectory.angles.insert(trajectory.angles.end(),
-                             {degrees * kRadiansPerDegree, 90 * kRadiansPerDegree});
+    trajectory.angles.append({degrees * kRadiansPerDegree, 90 * kRadiansPerDegree});
   }
   trajectory.num_frames = kTent.size();
   const auto made = with_poses(trajectory, map, 5);

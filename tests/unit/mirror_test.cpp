@@ -253,7 +253,7 @@ TEST(Mirrored, AddedPositionsAreMirroredWhereTheyAre) {
 
 TEST(Mirrored, KeepsNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 3});
-  walk.clip.row(1)[4] = std::nan("");
+  walk.clip.mutate()[1][4] = std::nan("");
   const Motion image = in_mirror(walk);
   EXPECT_TRUE(std::isnan(image.clip.row(1)[4]));
   EXPECT_FALSE(std::isnan(image.clip.row(2)[4]));

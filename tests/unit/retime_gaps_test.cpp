@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Motion walk_with(std::size_t frame, std::size_t column, double value) {
   Motion walk = examples::make_walk({.num_frames = 10});
-  walk.clip.row(frame)[column] = value;
+  walk.clip.mutate()[frame][column] = value;
   return walk;
 }
 

@@ -35,7 +35,7 @@ Motion motion_of_signal(std::size_t num_frames, Signal signal) {
   motion.clip.timeline.value = 1 / kRate;
   for (std::size_t f = 0; f < num_frames; ++f) {
     const double value = signal(static_cast<double>(f) / kRate);
-    motion.clip.values.insert(motion.clip.values.end(), {value, value});
+    motion.clip.values.append({value, value});
   }
   return motion;
 }
@@ -69,7 +69,7 @@ TEST(Smoothed, KeepsWhatDoesNotChangeBitForBit) {
   Motion still = examples::make_walk({.num_frames = 50});
   for (std::size_t f = 1; f < 50; ++f) {
     const auto first = still.clip.row(0);
-    std::copy(first.begin(), first.end(), still.clip.row(f).begin());
+    std::copy(first.begin(), first.end(), still.clip.mutate()[f].begin());
   }
   EXPECT_EQ(smooth(still, 3).clip.values, still.clip.values);
 }
@@ -120,7 +120,7 @@ TEST(Smoothed, TakesSpikesOutOfFreeRotations) {
   for (int f = 0; f < 50; ++f) {
     const double sign = f % 2 == 0 ? 1 : -1;  // the same rotation
     const double bump = f == 25 ? 0.2 : 0;
-    motion.clip.values.insert(motion.clip.values.end(), {1, 2, 3, sign, 0, sign * bump, 0});
+    motion.clip.values.append({1, 2, 3, sign, 0, sign * bump, 0});
   }
   const Motion calm = smooth(motion, 2);
   EXPECT_LT(std::abs(calm.clip.row(25)[5]), 0.05);
@@ -142,7 +142,7 @@ TEST(Smoothed, RefusesACutOffThatThereIsNot) {
 
 TEST(Smoothed, RefusesNumbersThatAreNotFinite) {
   Motion motion = motion_of_signal(10, sine(1));
-  motion.clip.row(4)[1] = std::nan("");
+  motion.clip.mutate()[4][1] = std::nan("");
   const auto refused = edit::smooth(motion, 5);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT008");

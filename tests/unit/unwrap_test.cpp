@@ -69,8 +69,8 @@ TEST(Unwrapped, PlacesTheSame) {
 
 TEST(Unwrapped, LeavesPositionsAndFramesThatAreNotFinite) {
   Motion motion = motion_of_triples({"170 0 0", "0 0 0", "-170 0 0"});
-  motion.clip.row(1)[6] = std::nan("");
-  motion.clip.row(2)[0] = 5000;
+  motion.clip.mutate()[1][6] = std::nan("");
+  motion.clip.mutate()[2][0] = 5000;
   const Motion smooth = edit::unwrap(motion);
   EXPECT_TRUE(std::isnan(smooth.clip.row(1)[6]));
   EXPECT_EQ(smooth.clip.row(2)[6], 190);

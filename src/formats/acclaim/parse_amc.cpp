@@ -92,7 +92,7 @@ void finish_frame(Body& body) {
   }
   if (!has_room(body)) return;
   if (body.num_seen < body.bones.size()) report_missing(body);
-  body.out.values.insert(body.out.values.end(), body.row.begin(), body.row.end());
+  body.out.values.append(body.row);
   ++body.out.num_frames;
 }
 

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/skeleton.hpp"
 
 namespace kinefile::acclaim {
@@ -113,7 +114,7 @@ struct BoneColumns {
 
 /// The frames of an AMC file.
 struct AmcBody {
-  std::vector<double> values;  ///< [frame][column]
+  Array<double> values;  ///< [frame][column]
   std::size_t num_frames = 0;
   std::int64_t first_frame_number = 1;
   std::vector<std::size_t> bone_order;  ///< of the first frame, as indices of BoneColumns

@@ -33,7 +33,7 @@ struct Rows {
   File& file() { return parser.file; }
   const char* end() const { return parser.source.end(); }
   void keep_row() {
-    file().values.insert(file().values.end(), row.begin(), row.end());
+    file().values.append(row);
     ++file().num_frames;
   }
 };
@@ -150,11 +150,11 @@ void read_stream(Rows& rows, const char* begin) {
                   rows.num_columns, count_tokens_in_line(rows, begin),
                   *rows.claim - rows.file().num_frames),
       begin);
-  std::vector<double>& values = rows.file().values;
+  Array<double>& values = rows.file().values;
   const char* p = begin;
   while (p != rows.end()) {
     const NumberRow part = text::read_number_row(p, rows.end(), rows.row.data(), rows.row.size());
-    values.insert(values.end(), rows.row.data(), rows.row.data() + part.count);
+    values.append({rows.row.data(), part.count});
     p = part.next;
     if (part.end != RowEnd::BadToken) continue;
     rows.parser.scanner.move_to(p);

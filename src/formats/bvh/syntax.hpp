@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/array.hpp"
 namespace kinefile::bvh {
 
 enum class ChannelKind { Position, Rotation, Scale, Unknown };
@@ -47,7 +48,7 @@ struct File {
   double frame_time = 0;
   std::size_t num_frames = 0;  ///< rows that are there; the file's own count is only a claim
   std::size_t num_columns = 0;
-  std::vector<double> values;  ///< [frame][column]
+  Array<double> values;  ///< [frame][column]
 };
 
 /// The channel that a word names, whatever its case: "Xposition", "ZROTATION", "yscale".

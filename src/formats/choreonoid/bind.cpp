@@ -17,7 +17,8 @@ Timeline timeline_of(SeqComponent& component, std::optional<double> fps) {
 }
 
 /// Brings quaternions with w last into the order w x y z.
-void put_w_first(std::vector<double>& values) {
+void put_w_first(Array<double>& array) {
+  const std::span<double> values = array.mutate();
   for (std::size_t i = 0; i + 7 <= values.size(); i += 7) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(first + 3, first + 6, first + 7);

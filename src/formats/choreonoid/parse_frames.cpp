@@ -145,7 +145,7 @@ class FrameReader {
       add_time(values[0], at);
       values = values.subspan(1);
     }
-    component_.values.insert(component_.values.end(), values.begin(), values.end());
+    component_.values.append(values);
     ++component_.num_frames;
   }
 
@@ -211,7 +211,7 @@ class FrameReader {
       add_time(rest[0], frame.at);
       rest = rest.subspan(1);
     }
-    component_.values.insert(component_.values.end(), rest.begin(), rest.end());
+    component_.values.append(rest);
     ++component_.num_frames;
   }
 

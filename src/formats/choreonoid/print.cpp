@@ -204,8 +204,7 @@ class SeqPrinter {
     const std::size_t width = !is_pose                                        ? component.width()
                               : printed.pose_order == PoseOrder::RollPitchYaw ? 6
                                                                               : 7;
-    const std::vector<double>& values =
-        printed.converted.empty() ? component.values : printed.converted;
+    const Array<double>& values = printed.converted.empty() ? component.values : printed.converted;
     const double* row = values.data() + frame * width * component.num_parts;
     printer_.print("[ ");
     if (!component.timeline.times.empty()) {

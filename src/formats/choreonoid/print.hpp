@@ -14,7 +14,7 @@ namespace kinefile::choreonoid {
 /// What one component is to say in a file.
 struct PrintedComponent {
   const Component* component = nullptr;
-  std::vector<double> converted;  ///< poses in another form than the component's; else empty
+  Array<double> converted;  ///< poses in another form than the component's; else empty
   std::string type;
   std::string content;
   std::string pose_format;  ///< empty for others than poses

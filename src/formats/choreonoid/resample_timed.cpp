@@ -43,7 +43,7 @@ class Resampler {
     if (!check_times()) return;
     Steady steady =
         reader_.options.timed_rounding == TimedRounding::Slerp ? interpolated() : held();
-    component_.values = std::move(steady.values);
+    component_.values = steady.values;
     component_.num_frames = steady.num_frames;
     component_.times.clear();
     component_.time_places.clear();

@@ -29,7 +29,7 @@ struct SeqComponent {
   bool is_root_relative = false;
   bool has_times = false;
   std::size_t num_frames = 0;
-  std::vector<double> values;            ///< in the file's order
+  Array<double> values;                  ///< in the file's order
   std::vector<double> times;             ///< seconds, one a frame
   std::vector<const char*> time_places;  ///< where each stands
   std::string unknown_keys;              ///< as YAML lines

@@ -57,14 +57,14 @@ std::optional<PoseOrder> order_of(std::string_view word) {
   return std::nullopt;
 }
 
-std::vector<double> as_quaternions(const Component& component) {
-  std::vector<double> values;
+Array<double> as_quaternions(const Component& component) {
+  Array<double> values;
   values.reserve(component.num_frames * component.num_parts * 7);
   for (std::size_t i = 0; i < component.num_frames * component.num_parts; ++i) {
     const std::span<const double> pose(component.values.data() + i * 6, 6);
-    values.insert(values.end(), pose.begin(), pose.begin() + 3);
+    values.append(pose.first(3));
     const auto q = quaternion_of_pose(PoseForm::RollPitchYaw, pose);
-    values.insert(values.end(), q.begin(), q.end());
+    values.append(q);
   }
   return values;
 }

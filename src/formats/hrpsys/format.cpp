@@ -29,7 +29,7 @@ Component root_angles(const Component& links) {
   root.values.clear();
   for (std::size_t f = 0; f < links.num_frames && root.num_parts > 0; ++f) {
     const auto pose = links.row(f).first(links.width());
-    root.values.insert(root.values.end(), pose.begin(), pose.end());
+    root.values.append(pose);
   }
   if (links.pose_form == PoseForm::Quaternion) root.values = poses_as_roll_pitch_yaw(root);
   root.pose_form = PoseForm::RollPitchYaw;

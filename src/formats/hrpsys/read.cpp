@@ -110,8 +110,7 @@ class SetReader {
   static void copy_all(Component& component, const Table& table) {
     component.values.reserve(table.num_frames() * table.num_values());
     for (std::size_t f = 0; f < table.num_frames(); ++f) {
-      component.values.insert(component.values.end(), table.row(f),
-                              table.row(f) + table.num_values());
+      component.values.append({table.row(f), table.num_values()});
     }
   }
 
@@ -174,7 +173,7 @@ class SetReader {
     component.pose_form = PoseForm::RollPitchYaw;
     component.values.assign(component.num_frames * kPositionAndAngles, 0.0);
     for (std::size_t f = 0; f < component.num_frames; ++f) {
-      double* const out = component.row(f).data();
+      double* const out = component.mutate()[f].data();
       for (const Part* from : {positions, angles}) {
         if (from == nullptr) continue;
         std::copy_n(from->table.row(f), 3, out + (from == angles ? 3 : 0));

@@ -40,8 +40,8 @@ bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink
   print_table([&](std::size_t f, const tables::PoseRow& row) {
     json::print_array(printer, scaled(tables::point_of(poses, f, row), table.length_scale));
   });
-  const auto numbers_of_joint = [&](const std::vector<double>& array, std::size_t width,
-                                    std::size_t f, const tables::PoseRow& row) {
+  const auto numbers_of_joint = [&](std::span<const double> array, std::size_t width, std::size_t f,
+                                    const tables::PoseRow& row) {
     return std::span(&array[(f * poses.num_joints + row.joint) * width], width);
   };
   if (table.rotations) {

@@ -174,8 +174,7 @@ class TreeBuilder {
     Node& parent = *open_.back();
     if (!parent.rows) start_rows(parent, event);
     const auto values = tree_.rows_.pop(event.row);
-    auto& all = parent.rows->values;
-    all.insert(all.end(), values.begin(), values.end());
+    parent.rows->values.append(values);
     parent.rows->entries.push_back({event.value, static_cast<std::uint32_t>(event.row), nullptr});
     parent.size = added(parent.size, 1 + values.size());
   }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "text/source.hpp"
 #include "text/yaml/parser.hpp"
@@ -25,7 +26,7 @@ struct RowEntries {
     const Node* node = nullptr;  ///< null for a row
   };
   std::vector<Entry> entries;
-  std::vector<double> values;  ///< of all rows, one after the other
+  Array<double> values;  ///< of all rows, one after the other
 };
 
 /// A value of a YAML document.

@@ -76,7 +76,7 @@ double largest_error_of_cgspeed(const std::string& bvh, const std::string& amc) 
   const WorldPoses pa = forward_kinematics(a.skeleton, a.clip, {.tips = true});
   const WorldPoses pb = forward_kinematics(b.skeleton, b.clip);
   const std::size_t thorax = index_of(a, "thorax");
-  const auto point = [](const std::vector<double>& all, std::size_t width, std::size_t f,
+  const auto point = [](std::span<const double> all, std::size_t width, std::size_t f,
                         std::size_t j) { return Vec3(&all[(f * width + j) * 3]); };
   double largest = 0;
   for (std::size_t f = 0; f + 1 < b.clip.num_frames; ++f) {
@@ -117,7 +117,7 @@ std::vector<std::string> real_motions() {
   return names;
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+bool same_bits(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> real_files() {
   return paths;
 }
 
-bool equal_bits(const std::vector<double>& a, const std::vector<double>& b) {
+bool equal_bits(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }

@@ -58,7 +58,7 @@ std::vector<double> values_of(const ReadText& read) {
   return values;
 }
 
-using Values = std::vector<double>;
+using FrameValues = Array<double>;
 
 TEST(SeqTimed, TheDocumentsJointsAtItsRate) {
   const ReadText read = read_seq(example_of_joints());
@@ -67,12 +67,12 @@ TEST(SeqTimed, TheDocumentsJointsAtItsRate) {
   EXPECT_EQ(component.num_frames, 8u);
   EXPECT_EQ(frame_rate(component.timeline), 10);
   EXPECT_TRUE(component.timeline.times.empty());
-  EXPECT_EQ(component.values, (Values{0, 0, 0.01, 0.01, 0.01, 0.01, 0.01, 0.02,  //
+  EXPECT_EQ(component.values, (FrameValues{0, 0, 0.01, 0.01, 0.01, 0.01, 0.01, 0.02,  //
                                       0.02, 0.03, 0.02, 0.03, 0.02, 0.03, 2, 0.04}));
 }
 
 TEST(SeqTimed, TheDocumentsPosesInEveryOrderOfNumbers) {
-  const Values expected = {-2, -3, -3, -4, -5, -5, -5, -6};
+  const FrameValues expected = {-2, -3, -3, -4, -5, -5, -5, -6};
   for (const char* order : {"XYZQWQXQYQZ", "XYZQXQYQZQW", "XYZRPY"}) {
     const ReadText read = read_seq(example_of_poses(order));
     const Component& component = components_of(read).at(0);
@@ -94,30 +94,30 @@ TEST(SeqTimed, TheDocumentsJointsUnderFloor) {
   // At 4 frames a second the times lie between frames: 0, 0.4, 1.2, 1.6 and 2.8 periods.
   const ReadText ceil = read_seq(example_of_joints(), rounded(TimedRounding::Ceil, 4));
   EXPECT_EQ(codes_of(ceil.diagnostics), std::vector<std::string>{"SEQ021"});
-  EXPECT_EQ(components_of(ceil).at(0).values, (Values{0, 0, 0.01, 0.01, 0.02, 0.03, 2, 0.04}));
+  EXPECT_EQ(components_of(ceil).at(0).values, (FrameValues{0, 0, 0.01, 0.01, 0.02, 0.03, 2, 0.04}));
   const ReadText floor = read_seq(example_of_joints(), rounded(TimedRounding::Floor, 4));
   EXPECT_EQ(codes_of(floor.diagnostics), (std::vector<std::string>{"SEQ021", "SEQ021"}));
-  EXPECT_EQ(components_of(floor).at(0).values, (Values{0.01, 0.01, 0.02, 0.03, 2, 0.04}));
+  EXPECT_EQ(components_of(floor).at(0).values, (FrameValues{0.01, 0.01, 0.02, 0.03, 2, 0.04}));
 }
 
 TEST(SeqTimed, TheDocumentsExamplesUnderSlerp) {
   const ReadText read = read_seq(example_of_joints(), rounded(TimedRounding::Slerp));
   EXPECT_EQ(text_of(read.diagnostics), "");
-  const Values expected = {0,    0,    0.01, 0.01,    0.01, 0.015,    0.01, 0.02,
+  const FrameValues expected = {0,    0,    0.01, 0.01,    0.01, 0.015,    0.01, 0.02,
                            0.02, 0.03, 0.68, 0.1 / 3, 1.34, 0.11 / 3, 2,    0.04};
-  const Values& values = components_of(read).at(0).values;
+  const FrameValues& values = components_of(read).at(0).values;
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-14) << i;
-  const Values x = values_of(read_seq(example_of_poses(), rounded(TimedRounding::Slerp)));
-  const Values expected_x = {-2, -3, -3.5, -4, -5, -16.0 / 3, -17.0 / 3, -6};
+  const FrameValues x = values_of(read_seq(example_of_poses(), rounded(TimedRounding::Slerp)));
+  const FrameValues expected_x = {-2, -3, -3.5, -4, -5, -16.0 / 3, -17.0 / 3, -6};
   ASSERT_EQ(x.size(), expected_x.size());
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], expected_x[i], 1e-14) << i;
 }
 
 TEST(SeqTimed, AFrameGoesToTheFirstOneAtOrAfterItsTime) {
   const std::string text = first_joint({{"0", "1"}, {"0.11", "2"}, {"0.3", "3"}});
-  EXPECT_EQ(values_of(read_seq(text)), (Values{1, 1, 2, 3}));
-  EXPECT_EQ(values_of(read_seq(text, rounded(TimedRounding::Floor))), (Values{1, 2, 2, 3}));
+  EXPECT_EQ(values_of(read_seq(text)), (FrameValues{1, 1, 2, 3}));
+  EXPECT_EQ(values_of(read_seq(text, rounded(TimedRounding::Floor))), (FrameValues{1, 2, 2, 3}));
 }
 
 TEST(SeqTimed, TimesThatDecimalsCannotSayExactlyAreTheFramesTheyMean) {
@@ -127,7 +127,7 @@ TEST(SeqTimed, TimesThatDecimalsCannotSayExactlyAreTheFramesTheyMean) {
   }
   const ReadText read = read_seq(first_joint(rows), rounded(TimedRounding::Ceil, 100));
   EXPECT_EQ(text_of(read.diagnostics), "");
-  const Values values = values_of(read);
+  const FrameValues values = values_of(read);
   ASSERT_EQ(values.size(), 100u);
   for (std::size_t f = 0; f < values.size(); ++f) EXPECT_EQ(values[f], static_cast<double>(f));
 }
@@ -137,7 +137,7 @@ TEST(SeqTimed, FloorIsChoreonoidsArithmeticWithoutATolerance) {
   const ReadText read = read_seq(first_joint({{"0", "1"}, {"0.28", "2"}, {"0.29", "3"}}),
                                  rounded(TimedRounding::Floor, 100));
   EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"SEQ021"});
-  const Values values = values_of(read);
+  const FrameValues values = values_of(read);
   ASSERT_EQ(values.size(), 29u);
   EXPECT_EQ(values[27], 1);
   EXPECT_EQ(values[28], 3);
@@ -148,32 +148,32 @@ TEST(SeqTimed, FramesBeforeTheFirstTimeHoldItsValues) {
   EXPECT_EQ(text_of(read.diagnostics),
             "t.seq:12:9: note[SEQ023]: the first time is 0.2 s; the 2 frames before it hold its "
             "values\n        - [ 0.2, 5, 0 ]\n          ^\n");
-  EXPECT_EQ(values_of(read), (Values{5, 5, 5, 6}));
+  EXPECT_EQ(values_of(read), (FrameValues{5, 5, 5, 6}));
 }
 
 TEST(SeqTimed, UnderFloorTheyAreZerosAndNoRotation) {
   const ReadOptions floor = rounded(TimedRounding::Floor);
   const ReadText numbers = read_seq(first_joint({{"0.21", "5"}}), floor);
   EXPECT_EQ(text_of(numbers.diagnostics), "");
-  EXPECT_EQ(values_of(numbers), (Values{0, 0, 5}));
+  EXPECT_EQ(values_of(numbers), (FrameValues{0, 0, 5}));
   const ReadText w_first =
       read_seq(seq_of({poses({"[ 0.1, [ 1, 2, 3, 0, 1, 0, 0 ] ]"}, kTimed)}), floor);
   EXPECT_EQ(components_of(w_first).at(0).values,
-            (Values{0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 0, 1, 0, 0}));
+            (FrameValues{0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 0, 1, 0, 0}));
   const ReadText w_last =
       read_seq(seq_of({poses({"[ 0.1, [ 1, 2, 3, 1, 0, 0, 0 ] ]"}, kTimed, "XYZQXQYQZQW")}), floor);
-  EXPECT_EQ(components_of(w_last).at(0).values, (Values{0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 0, 1, 0, 0}));
+  EXPECT_EQ(components_of(w_last).at(0).values, (FrameValues{0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 0, 1, 0, 0}));
   const ReadText angles =
       read_seq(seq_of({poses({"[ 0.1, [ 1, 2, 3, 4, 5, 6 ] ]"}, kTimed, "XYZRPY")}), floor);
-  EXPECT_EQ(components_of(angles).at(0).values, (Values{0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(components_of(angles).at(0).values, (FrameValues{0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6}));
 }
 
 TEST(SeqTimed, SlerpInterpolatesNumbersInAStraightLine) {
   const std::string text = first_joint({{"0", "0"}, {"0.2", "4"}, {"0.45", "-1"}});
   const ReadText read = read_seq(text, rounded(TimedRounding::Slerp));
-  const Values values = values_of(read);
+  const FrameValues values = values_of(read);
   ASSERT_EQ(values.size(), 5u);  // the last time lies between two frames
-  const Values expected = {0, 2, 4, 2, 0};
+  const FrameValues expected = {0, 2, 4, 2, 0};
   for (std::size_t f = 0; f < values.size(); ++f) EXPECT_NEAR(values[f], expected[f], 1e-14);
 }
 
@@ -211,7 +211,7 @@ TEST(SeqTimed, SlerpTurnsPosesTheShortestWayInEveryOrderOfNumbers) {
 TEST(SeqTimed, SlerpKeepsTheBitsOfFramesThatAreThere) {
   const ReadText read = read_seq(first_joint({{"0", "0.1"}, {"0.1", "0.3"}, {"0.2", "1e-300"}}),
                                  rounded(TimedRounding::Slerp));
-  EXPECT_EQ(values_of(read), (Values{0.1, 0.3, 1e-300}));
+  EXPECT_EQ(values_of(read), (FrameValues{0.1, 0.3, 1e-300}));
 }
 
 TEST(SeqTimed, KeptTimesNeedNoRate) {
@@ -223,8 +223,8 @@ TEST(SeqTimed, KeptTimesNeedNoRate) {
   EXPECT_EQ(text_of(read.diagnostics), "");
   const Component& component = components_of(read).at(0);
   EXPECT_EQ(component.num_frames, 5u);
-  EXPECT_EQ(component.timeline.times, (Values{0, 0.1, 0.3, 0.4, 0.7}));
-  EXPECT_EQ(component.values, (Values{0, 0, 0.01, 0.01, 0.01, 0.02, 0.02, 0.03, 2, 0.04}));
+  EXPECT_EQ(component.timeline.times, (FrameValues{0, 0.1, 0.3, 0.4, 0.7}));
+  EXPECT_EQ(component.values, (FrameValues{0, 0, 0.01, 0.01, 0.01, 0.02, 0.02, 0.03, 2, 0.04}));
 }
 
 TEST(SeqTimed, ATimedFileWithoutARateNeedsOne) {
@@ -255,7 +255,7 @@ TEST(SeqTimed, UnderFloorAndLenientItIsReadAsChoreonoidDoes) {
   for (const ReadOptions& options : {lenient, rounded(TimedRounding::Floor)}) {
     const ReadText read = read_seq(text, options);
     EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"SEQ019"});
-    EXPECT_EQ(values_of(read), (Values{1, 3, 1, 2}));
+    EXPECT_EQ(values_of(read), (FrameValues{1, 3, 1, 2}));
   }
 }
 
@@ -281,7 +281,7 @@ TEST(SeqTimed, TimesThatNoMotionHasAreErrorsAtTheirPlaces) {
 TEST(SeqTimed, UnderFloorATimeJustBelowZeroIsFrameZero) {
   const std::string text = first_joint({{"-0.05", "1"}, {"0.1", "2"}});
   EXPECT_EQ(codes_of(read_seq(text).diagnostics), std::vector<std::string>{"SEQ020"});
-  EXPECT_EQ(values_of(read_seq(text, rounded(TimedRounding::Floor))), (Values{1, 2}));
+  EXPECT_EQ(values_of(read_seq(text, rounded(TimedRounding::Floor))), (FrameValues{1, 2}));
 }
 
 TEST(SeqTimed, OfTwoFramesInOneTheLaterOneStands) {
@@ -289,7 +289,7 @@ TEST(SeqTimed, OfTwoFramesInOneTheLaterOneStands) {
   EXPECT_EQ(text_of(read.diagnostics),
             "t.seq:14:9: warning[SEQ021]: two frames of the file go to frame 2 at 10 frames a "
             "second; the later one stands\n        - [ 0.17, 3, 0 ]\n          ^\n");
-  EXPECT_EQ(values_of(read), (Values{1, 1, 3}));
+  EXPECT_EQ(values_of(read), (FrameValues{1, 1, 3}));
 }
 
 TEST(SeqTimed, TimesAtTheTopHoldForAllButWhoSaysOtherwise) {
@@ -297,8 +297,8 @@ TEST(SeqTimed, TimesAtTheTopHoldForAllButWhoSaysOtherwise) {
       {joints({"[ 0, 1, 1 ]", "[ 0.2, 2, 2 ]"}), zmp({"[ 1, 2, 3 ]"}, "    hasFrameTime: no\n")},
       "has_frame_time: yes\n"));
   EXPECT_EQ(text_of(read.diagnostics), "");
-  EXPECT_EQ(values_of(read), (Values{1, 1, 2}));
-  EXPECT_EQ(components_of(read).at(1).values, (Values{1, 2, 3}));
+  EXPECT_EQ(values_of(read), (FrameValues{1, 1, 2}));
+  EXPECT_EQ(components_of(read).at(1).values, (FrameValues{1, 2, 3}));
 }
 
 TEST(SeqTimed, KeptTimesHaveToGoForwardToo) {
@@ -310,7 +310,7 @@ TEST(SeqTimed, KeptTimesHaveToGoForwardToo) {
             "found 0.1 s\n        - [ 0.1, 3, 0 ]\n          ^\n");
   const ReadText kept = read_seq(back, lenient);
   EXPECT_EQ(codes_of(kept.diagnostics), std::vector<std::string>{"SEQ019"});
-  EXPECT_EQ(components_of(kept).at(0).timeline.times, (Values{0, 0.3, 0.1}));
+  EXPECT_EQ(components_of(kept).at(0).timeline.times, (FrameValues{0, 0.3, 0.1}));
   for (const char* time : {"-0.2", "nan", "inf"}) {
     for (const ReadOptions& options : {keeps, lenient}) {
       EXPECT_EQ(

@@ -5,25 +5,29 @@
 #include <string>
 #include <string_view>
 
+#include "kinefile/array.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/robot_project.hpp"
 
 namespace kinefile {
 
-/// The bytes of a file, mapped where the system can, and alive as long as this is.
+/// The bytes of a file, alive as long as this is. They are read, never mapped, so that a file which
+/// somebody cuts short meanwhile is an error and no crash.
 class FileBytes {
  public:
   /// Reads a file, or standard input for "-".
-  /// \errors IO001 if it cannot be read
+  /// \errors IO001 if it cannot be read, or becomes shorter meanwhile
   static Result<FileBytes> open(const std::string& path);
 
-  std::string_view view() const { return view_; }
+  std::string_view view() const {
+    return bytes_ == nullptr ? std::string_view()
+                             : std::string_view(bytes_->data(), bytes_->size());
+  }
   /// What keeps the bytes alive.
-  const std::shared_ptr<const void>& owner() const { return owner_; }
+  std::shared_ptr<const void> owner() const { return bytes_; }
 
  private:
-  std::shared_ptr<const void> owner_;
-  std::string_view view_;
+  std::shared_ptr<const Array<char>> bytes_;
 };
 
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 #include "kinefile/io.hpp"
 
@@ -29,26 +30,25 @@ struct Descriptor {
   }
 };
 
-/// Maps a regular file; null for what cannot be mapped, such as a pipe or an empty file.
-std::shared_ptr<const void> map_file(int descriptor, std::size_t size) {
-  if (size == 0) return nullptr;
-  void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-  if (address == MAP_FAILED) return nullptr;
-  ::madvise(address, size, MADV_SEQUENTIAL);
-  return {address, [size](const void* mapped) { ::munmap(const_cast<void*>(mapped), size); }};
+Error changed(const std::string& path) {
+  return make_error(ErrorKind::Io, "IO001", "cannot read: the file changed while it was read",
+                    path);
 }
 
-/// Reads to the end of what cannot be mapped. Null after a fault, which is in errno.
-std::shared_ptr<std::string> read_all(int descriptor) {
-  constexpr std::size_t kPiece = std::size_t{1} << 18;
-  auto bytes = std::make_shared<std::string>();
+/// Reads to the end, in blocks, each to where it stays. Nothing after a fault, which is in errno.
+/// \param likely_size  how many bytes there are, as far as is known
+std::optional<Array<char>> read_all(int descriptor, std::size_t likely_size) {
+  constexpr std::size_t kBlock = std::size_t{1} << 20;
+  Array<char> bytes;
+  bytes.reserve(likely_size + 1);  // one more shows the end without another block
   while (true) {
-    const std::size_t old_size = bytes->size();
-    bytes->resize(old_size + kPiece);
-    const ssize_t count = ::read(descriptor, bytes->data() + old_size, kPiece);
-    bytes->resize(old_size + (count > 0 ? static_cast<std::size_t>(count) : 0));
+    const std::size_t old_size = bytes.size();
+    const std::size_t wanted =
+        old_size <= likely_size ? std::min(kBlock, likely_size + 1 - old_size) : kBlock;
+    const ssize_t count = ::read(descriptor, bytes.grow(wanted).data(), wanted);
+    bytes.resize(old_size + (count > 0 ? static_cast<std::size_t>(count) : 0));
     if (count == 0) return bytes;
-    if (count < 0 && errno != EINTR) return nullptr;
+    if (count < 0 && errno != EINTR) return std::nullopt;
   }
 }
 
@@ -59,19 +59,14 @@ Result<FileBytes> FileBytes::open(const std::string& path) {
   struct stat status {};
   if (file.number < 0 || ::fstat(file.number, &status) != 0) return fail(cannot_read(path, errno));
   if (S_ISDIR(status.st_mode)) return fail(cannot_read(path, EISDIR));
-
+  const bool has_size = S_ISREG(status.st_mode) && path != "-";
+  const std::size_t size = has_size ? static_cast<std::size_t>(status.st_size) : 0;
+  auto read = read_all(file.number, size);
+  if (!read) return fail(cannot_read(path, errno));
+  // What was read of a file that became shorter meanwhile is neither the old nor the new one.
+  if (read->size() < size) return fail(changed(path));
   FileBytes bytes;
-  if (S_ISREG(status.st_mode) && path != "-") {
-    const auto size = static_cast<std::size_t>(status.st_size);
-    bytes.owner_ = map_file(file.number, size);
-    bytes.view_ = {static_cast<const char*>(bytes.owner_.get()), bytes.owner_ ? size : 0};
-  }
-  if (bytes.owner_ == nullptr) {
-    const auto all = read_all(file.number);
-    if (all == nullptr) return fail(cannot_read(path, errno));
-    bytes.owner_ = all;
-    bytes.view_ = *all;
-  }
+  bytes.bytes_ = std::make_shared<const Array<char>>(std::move(*read));
   return bytes;
 }
 

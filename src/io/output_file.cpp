@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -48,13 +49,23 @@ std::string resolved(const std::string& path) {
   return target;
 }
 
-/// The access rights of the file that is replaced, or those of a new one.
-mode_t mode_of(const std::string& path) {
+/// Creates a file of a name that nothing has yet, with the rights that the system gives new files.
+/// \returns its descriptor, and -1 after a fault, which is in errno
+int create_temporary(const std::string& path, std::string& name) {
+  static std::atomic<unsigned> num_made{0};
+  constexpr int kMostTries = 1000;
+  for (int i = 0; i < kMostTries; ++i) {
+    name = fmt::format("{}.part.{}.{}", path, ::getpid(), num_made.fetch_add(1));
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
+}
+
+/// Gives a file the access rights of the one that it replaces.
+void keep_rights(int descriptor, const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 0777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  if (::stat(path.c_str(), &status) == 0) ::fchmod(descriptor, status.st_mode & 0777);
 }
 
 /// Makes a rename last: the folder that holds the name is written out, too.
@@ -94,11 +105,11 @@ Result<OutputFile> OutputFile::create(const std::string& path, bool replace) {
   }
   if (!replace && ::access(path.c_str(), F_OK) == 0) return fail(exists(path));
   state->path = resolved(path);
-  std::string name = state->path + ".part.XXXXXX";
-  state->descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  std::string name;
+  state->descriptor = create_temporary(state->path, name);
   if (state->descriptor < 0) return fail(cannot_write(path, errno));
   state->temporary = name;
-  ::fchmod(state->descriptor, mode_of(state->path));
+  keep_rights(state->descriptor, state->path);
   return OutputFile(std::move(state));
 }
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "edit_operations.hpp"
+#include "command.hpp"
 #include "report.hpp"
 #include "writing.hpp"
 
@@ -17,47 +17,24 @@ struct Edit {
   Reading reading;
 };
 
-Result<std::vector<Operation>> parse_operations(const std::vector<std::string>& words) {
-  std::vector<Operation> operations;
-  for (const std::string& word : words) {
-    auto operation = parse_operation(word);
-    if (!operation) return fail(std::move(operation.error()));
-    operations.push_back(std::move(*operation));
-  }
-  return operations;
+/// What operations may need beside the document: other files, and the project.
+Result<OperationContext> context_of(const Reading& reading, Diagnostics& diagnostics) {
+  OperationContext context;
+  context.lenient = reading.is_lenient;
+  context.open = [&reading, &diagnostics](const std::string& name) {
+    return load_quietly(name, reading, diagnostics);
+  };
+  auto project = load_project(reading, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  context.project = std::move(*project);
+  return context;
 }
 
-/// What keeps an operation from a document; empty if nothing does.
-std::string hindrance(const Operation& operation, const Document& document) {
-  if (std::holds_alternative<PoseFlow>(document.content)) {
-    return operation.apply_to_flow ? "" : "a motion, and the file holds a flow of poses";
-  }
-  if (!operation.apply) return "a flow of poses, and the file holds none";
-  if (!has_skeleton(document) && !operation.works_on_parts) {
-    return "a skeleton, and the file holds components";
-  }
-  if (operation.needs_motion && std::holds_alternative<Skeleton>(document.content)) {
-    return "a motion, and the file holds a skeleton alone";
-  }
-  return {};
-}
-
-/// Does one operation after the other. An error names the one that it came from.
-Result<void> apply(const std::vector<Operation>& operations, Document& document,
-                   const EditContext& context) {
-  for (const Operation& operation : operations) {
-    if (const std::string needed = hindrance(operation, document); !needed.empty()) {
-      return fail(make_error(ErrorKind::Usage, "CLI001",
-                             fmt::format("'{}' needs {}", operation.word, needed)));
-    }
-    const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
-    auto applied = (is_flow ? operation.apply_to_flow : operation.apply)(document, context);
-    if (applied) continue;
-    Error error = std::move(applied.error());
-    if (error.place.source.empty()) error.message = operation.word + ": " + error.message;
-    return fail(std::move(error));
-  }
-  return {};
+Result<void> apply_all(const std::vector<Operation>& operations, Document& document,
+                       const Reading& reading, Diagnostics& diagnostics) {
+  const auto context = context_of(reading, diagnostics);
+  if (!context) return fail(context.error());
+  return apply(operations, document, *context, diagnostics);
 }
 
 int run(Edit& edit, const Globals& globals) {
@@ -72,7 +49,7 @@ int run(Edit& edit, const Globals& globals) {
   const Format* format = output_format(edit.writing, *document);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = edit.reading.is_strict;
-  auto applied = apply(*operations, *document, {edit.reading, diagnostics});
+  auto applied = apply_all(*operations, *document, edit.reading, diagnostics);
   return write_document(std::move(applied), std::move(*document), *format, edit.writing, edit.file,
                         edit.reading, diagnostics, globals);
 }

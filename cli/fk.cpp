@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "frame_range.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {

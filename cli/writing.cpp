@@ -34,32 +34,6 @@ const Format* output_format(const Writing& writing) {
   return writing.to.empty() ? format_of_name(writing.out) : find_format(writing.to);
 }
 
-Result<void> change_components(BodyMotion& body, bool must_agree,
-                               const std::function<Result<Motion>(const Motion&)>& change) {
-  const Component* main = main_component(body);
-  for (const Component& component : body.components) {
-    const bool is_known = component.kind != ComponentKind::Other;
-    if (!must_agree || !is_known ||
-        (component.num_frames == main->num_frames &&
-         frame_rate(component.timeline) == frame_rate(main->timeline))) {
-      continue;
-    }
-    return fail(make_error(
-        ErrorKind::Usage, "CLI002",
-        fmt::format("expected components of one length and rate, found {} frames at {} a second of "
-                    "'{}' beside {} at {}",
-                    component.num_frames, frame_rate(component.timeline), component.content,
-                    main->num_frames, frame_rate(main->timeline))));
-  }
-  for (Component& component : body.components) {
-    if (component.kind == ComponentKind::Other) continue;
-    auto changed = change(robot::motion_of_component(component));
-    if (!changed) return fail(std::move(changed.error()));
-    component = robot::with_frames_of(component, *changed);
-  }
-  return {};
-}
-
 int no_output_format(const Writing& writing, const Globals& globals) {
   return usage_error(globals,
                      fmt::format("'{}' shows no format by its name; --to names it", writing.out));
@@ -92,67 +66,42 @@ Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostic
   return parse_joint_map(bytes->view(), path, diagnostics);
 }
 
-/// Brings a document into a kind that the format can write, on the robot that `--skeleton` names.
-Result<Document> in_wanted_kind(Document&& document, const Format& format, const Writing& writing,
-                                const Reading& reading, Diagnostics& diagnostics) {
-  KindOptions options = kind_options(writing, reading);
-  std::optional<Document> model;
-  // A skeleton that a motion was read with is none to put it on.
-  const bool is_body = std::holds_alternative<BodyMotion>(document.content);
-  const bool is_set = format.has_part != nullptr;
-  const bool wants_robot = (is_set || (format.name == "choreonoid" && !writing.form.empty())) &&
-                           find_format(document.format)->companion.empty();
-  if (is_body || wants_robot || !writing.robot.empty()) {
-    Reading of_robot = reading;
-    if (!writing.robot.empty()) of_robot.skeleton = writing.robot;
-    auto loaded = load_skeleton(of_robot, diagnostics);
+/// The skeleton or robot that an option names, read when it is needed.
+DocumentSource source_of(const std::string& path, const Reading& reading) {
+  if (path.empty()) return {};
+  return [path, reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
+    Reading of_skeleton = reading;
+    of_skeleton.skeleton = path;
+    auto loaded = load_skeleton(of_skeleton, diagnostics);
     if (!loaded) return fail(std::move(loaded.error()));
-    model = std::move(*loaded);
-    if (model) options.model = &*model;
-  }
-  if (!writing.joint_map.empty()) {
-    auto map = load_joint_map(writing.joint_map, diagnostics);
-    if (!map) return fail(std::move(map.error()));
-    options.joint_map = std::move(*map);
-  }
-  return in_kind_of(format, std::move(document), options, diagnostics);
+    return std::make_shared<const Document>(std::move(**loaded));
+  };
+}
+
+Result<AdaptOptions> adapt_options(const Writing& writing, const Reading& reading,
+                                   Diagnostics& diagnostics) {
+  AdaptOptions adapting;
+  adapting.channels = writing.channels;
+  adapting.channels.lenient = reading.is_lenient;
+  adapting.kinds = kind_options(writing, reading);
+  adapting.skeleton = source_of(reading.skeleton, reading);
+  adapting.skeleton_name = reading.skeleton;
+  adapting.robot = source_of(writing.robot, reading);
+  if (writing.joint_map.empty()) return adapting;
+  auto map = load_joint_map(writing.joint_map, diagnostics);
+  if (!map) return fail(std::move(map.error()));
+  adapting.kinds.joint_map = std::move(*map);
+  return adapting;
 }
 
 Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
                            const Reading& reading, Diagnostics& diagnostics) {
-  shape::ChannelOptions channels = writing.channels;
-  channels.lenient = reading.is_lenient;
-  const auto kept = document.extras.file.find("positions");
-  channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
+  const auto adapting = adapt_options(writing, reading, diagnostics);
+  if (!adapting) return fail(adapting.error());
   WriteOptions options = writing.format;
   options.decimals = writing.decimals;
-  const bool was_body = std::holds_alternative<BodyMotion>(document.content);
-  auto of_kind = in_wanted_kind(std::move(document), format, writing, reading, diagnostics);
-  if (!of_kind) return fail(std::move(of_kind.error()));
-  document = std::move(*of_kind);
-  const bool has_named_skeleton =
-      !reading.skeleton.empty() && !format.companion.empty() && !was_body;
-  std::optional<Document> skeleton;
-  if (has_named_skeleton) {
-    Diagnostics ignored;  // a motion that needs it has told of it already
-    const bool is_new = document.format != format.name;
-    auto loaded = load_skeleton(reading, is_new ? diagnostics : ignored);
-    if (!loaded) return fail(std::move(loaded.error()));
-    skeleton = std::move(**loaded);
-    if (is_new) {
-      auto moved = on_skeleton_of(*skeleton, std::move(document), diagnostics);
-      if (!moved) return fail(std::move(moved.error()));
-      document = std::move(*moved);
-    }
-  }
-  auto adapted = adapted_to(format, std::move(document), channels, diagnostics);
+  auto adapted = adapt(std::move(document), format, *adapting, options, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
-  // The named skeleton serves the output, too, as long as the motion still fits it.
-  if (skeleton && skeleton->format == format.companion &&
-      are_written_alike(*find_format(format.companion), *skeleton, *adapted)) {
-    options.writes_companion = false;
-    options.companion = reading.skeleton.substr(reading.skeleton.find_last_of('/') + 1);
-  }
   return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
 }
 

@@ -47,34 +47,4 @@ int write_document(Result<void> made, Document&& document, const Format& format,
                    const Writing& writing, const std::string& source, const Reading& reading,
                    Diagnostics& diagnostics, const Globals& globals);
 
-/// Changes the components of a body motion one by one, each as a motion of loose parts.
-/// \param must_agree  whether they must have one length and rate
-/// \errors CLI002 (Usage) if they must and do not
-Result<void> change_components(BodyMotion& body, bool must_agree,
-                               const std::function<Result<Motion>(const Motion&)>& change);
-
-/// Changes the motion of a document by a function from Motion to Result<Motion>; a skeleton alone
-/// is given to it as a motion without frames.
-/// The components of a body motion are changed one by one; all must be as long as the main one.
-template <class Change>
-Result<void> change_motion(Document& document, const Change& change) {
-  if (BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    return change_components(*body, true, change);
-  }
-  Motion* const motion = std::get_if<Motion>(&document.content);
-  Motion still;
-  if (motion == nullptr) {
-    still.skeleton = std::get<Skeleton>(document.content);
-    still.clip.num_coordinates = still.skeleton.coordinates.size();
-  }
-  Result<Motion> changed = change(motion != nullptr ? *motion : still);
-  if (!changed) return fail(std::move(changed.error()));
-  if (motion != nullptr) {
-    *motion = std::move(*changed);
-  } else {
-    document.content = std::move(changed->skeleton);
-  }
-  return {};
-}
-
 }  // namespace kinefile::cli

@@ -29,7 +29,7 @@ LAYERS = {
     "robot": _BELOW_OPERATIONS,
     "servo": _BELOW_OPERATIONS + ["flow", "robot"],
     "io": ["base", "text", "model", "registry"],
-    "document": _BELOW_OPERATIONS + OPERATIONS + ["registry", "io"],
+    "document": _BELOW_OPERATIONS + OPERATIONS + ["text", "registry", "io"],
     "all": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io"],
     "cli": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io", "all"],
 }
@@ -44,7 +44,7 @@ PUBLIC = {
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "anomalies": "kinematics", "limits": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
-    "servo": "servo", "convert": "document", "io": "io", "kinefile": "all",
+    "servo": "servo", "operation": "model", "process": "document", "convert": "document", "io": "io", "kinefile": "all",
 }
 
 # Third-party headers that public headers may show, and what only some layers may use.

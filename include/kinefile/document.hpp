@@ -32,6 +32,10 @@ std::string_view kind_name(const Document& document);
 /// none: a precondition.
 const Skeleton& skeleton_of(const Document& document);
 
+/// The motion of a document, or its skeleton as a motion without frames. Precondition:
+/// `has_skeleton`.
+Motion still_or_moving(const Document& document);
+
 /// Whether a document has a skeleton: a motion or a skeleton alone.
 bool has_skeleton(const Document& document);
 

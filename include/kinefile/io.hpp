@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kinefile/array.hpp"
 #include "kinefile/format.hpp"
@@ -33,6 +34,13 @@ class FileBytes {
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
 /// cannot make its reader open others.
 Resolver files_beside(const std::string& path);
+
+/// Reads a document from bytes.
+/// \param name    how diagnostics call it; its extension tells the format where content does not
+/// \param format  null: found from the content, then from the name
+/// \errors FMT001 (InvalidInput) if its format is not known, else the reader's
+Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
+                            ReadOptions options, Diagnostics& diagnostics);
 
 /// Reads a document from a file.
 /// \param name    the stem of a set of files, too, where `format` is one; "-" is standard input;
@@ -64,6 +72,9 @@ class OutputFile {
   /// Appends bytes; false after a fault, which `commit` reports.
   bool write(std::string_view bytes);
 
+  /// The first fault, if `write` returned false. \errors IO003
+  Result<void> fault() const;
+
   /// Brings the file to its name. \errors IO003
   Result<void> commit();
 
@@ -72,6 +83,39 @@ class OutputFile {
   explicit OutputFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Where output goes: files by name, which appear all together or not at all. The disk is one such
+/// place, memory another.
+struct OutputFiles {
+  /// Starts a file; its bytes go to the sink.
+  std::function<Result<Sink>(const std::string& name)> open;
+  /// What went wrong while a file's bytes were taken, once a sink has returned false.
+  std::function<Result<void>()> fault;
+  /// Whether a file of this name is there that was not started here.
+  std::function<bool(const std::string& name)> exists;
+  /// Brings all files to their names. Where one of them cannot be, none that is new stays.
+  std::function<Result<void>()> commit;
+};
+
+/// Files on the disk (see `OutputFile`); "-" is standard output.
+/// \param replace  whether existing files may be replaced
+OutputFiles files_on_disk(bool replace);
+
+/// A file that was written to memory.
+struct MemoryFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// Files in memory.
+/// \param files  takes them when they are committed
+OutputFiles files_in_memory(std::shared_ptr<std::vector<MemoryFile>> files);
+
+/// Writes a document: its file, and those that belong to it (the skeleton of an AMC file, the
+/// files of a set), but for standard output, which takes one file. Nothing is committed.
+/// \errors those of `files` and of the format's writer; FMT002 if the format cannot be written
+Result<void> write(const std::string& name, const Document& document, const Format& format,
+                   const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics);
 
 /// Writes a document to a file, whole or not at all; and its companion of the same name beside it,
 /// if its format has one (the skeleton of an AMC file), but not for standard output.

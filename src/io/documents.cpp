@@ -65,29 +65,26 @@ std::string stem_of_set(const std::string& path, const Format& format) {
   return path;
 }
 
-/// Writes a document to a file that has not come to its name yet.
-Result<OutputFile> write_output(const std::string& path, const Document& document,
-                                const Format& format, const WriteOptions& options, bool replace,
-                                Diagnostics& diagnostics) {
-  auto file = OutputFile::create(path, replace);
-  if (!file) return file;
-  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  auto written = format.write(document, options, sink, diagnostics);
+/// Writes one file of a document.
+Result<void> write_one(const std::string& name, const Document& document, const Format& format,
+                       const WriteOptions& options, const OutputFiles& files,
+                       Diagnostics& diagnostics) {
+  const auto sink = files.open(name);
+  if (!sink) return fail(sink.error());
+  auto written = format.write(document, options, *sink, diagnostics);
   // A fault of the file says more than that the writer was stopped.
-  if (!written && written.error().kind == ErrorKind::Io) written = file->commit();
-  if (!written) return fail(std::move(written.error()));
-  return file;
+  if (!written && written.error().kind == ErrorKind::Io) {
+    if (auto fault = files.fault(); !fault) return fault;
+  }
+  return written;
 }
 
 }  // namespace
 
-Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
-                           Diagnostics& diagnostics) {
-  const std::string path = format != nullptr ? path_in_set(name, *format) : name;
-  options.source_name = path == "-" ? "<stdin>" : path;
-  const auto bytes = FileBytes::open(path);
-  if (!bytes) return fail(bytes.error());
-  if (format == nullptr) format = detect_format(bytes->view().substr(0, kHeadBytes), path);
+Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
+                            ReadOptions options, Diagnostics& diagnostics) {
+  options.source_name = name;
+  if (format == nullptr) format = detect_format(bytes.substr(0, kHeadBytes), name);
   if (format == nullptr || format->read == nullptr) {
     const std::string readable =
         names_of_formats([](const Format& known) { return known.read != nullptr; });
@@ -97,61 +94,78 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
             ? fmt::format("neither the content nor the name shows a format; --from names it ({})",
                           readable)
             : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
-        options.source_name));
+        name));
   }
   if (format->takes_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
     auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
     if (!skeleton) return fail(std::move(skeleton.error()));
   }
+  return format->read(bytes, options, diagnostics);
+}
+
+Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
+                           Diagnostics& diagnostics) {
+  const std::string path = format != nullptr ? path_in_set(name, *format) : name;
+  const auto bytes = FileBytes::open(path);
+  const std::string source_name = path == "-" ? "<stdin>" : path;
+  if (!bytes) return fail(bytes.error());
   if (path != "-" && !options.companions.open) options.companions = files_beside(path);
-  return format->read(bytes->view(), options, diagnostics);
+  return read_bytes(bytes->view(), source_name, format, std::move(options), diagnostics);
 }
 
 namespace {
 
-/// A file that is no part of the set to be written would be read with it. It is not for us to
-/// delete.
-Result<void> expect_no_file(const std::string& name) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(name, ignored)) return {};
-  return fail(make_error(ErrorKind::Io, "FMT007",
-                         "the file is there and would be read as part of the set, which has none "
-                         "such; move it away, or name another stem",
-                         name));
-}
-
-/// Writes a set of files, all or none.
+/// Writes a set of files.
 Result<void> write_set(const std::string& path, const Document& document, const Format& format,
-                       const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
+                       const WriteOptions& options, const OutputFiles& files,
+                       Diagnostics& diagnostics) {
   if (path == "-") {
-    return fail(make_error(
+    return fail(
         ErrorKind::Usage, "FMT006",
-        fmt::format("{} is a set of files, which standard output cannot take", format.name)));
+        fmt::format("{} is a set of files, which standard output cannot take", format.name));
   }
-  std::vector<std::pair<std::string, OutputFile>> files;
+  bool has_any = false;
   for (const std::string_view part : format.extensions) {
-    if (!format.has_part(document, part)) {
-      const auto none = expect_no_file(stem_of_set(path, format) + std::string(part));
-      if (!none) return none;
-      continue;
-    }
-    WriteOptions for_part = options;
-    for_part.part = part;
     const std::string name = stem_of_set(path, format) + std::string(part);
-    auto file = write_output(name, document, format, for_part, replace, diagnostics);
-    if (!file) return fail(std::move(file.error()));
-    files.emplace_back(name, std::move(*file));
+    if (format.has_part(document, part)) {
+      WriteOptions for_part = options;
+      for_part.part = part;
+      auto written = write_one(name, document, format, for_part, files, diagnostics);
+      if (!written) return written;
+      has_any = true;
+    } else if (files.exists(name)) {
+      // It would be read as part of the set. It is not for us to delete.
+      return fail(make_error(ErrorKind::Io, "FMT007",
+                             "the file is there and would be read as part of the set, which has "
+                             "none such; move it away, or name another stem",
+                             name));
+    }
   }
   // Nothing at all is for the writer to tell.
-  if (files.empty()) return format.write(document, options, nullptr, diagnostics);
-  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    auto committed = files[i].second.commit();
-    if (committed) continue;
-    for (std::size_t k = 0; k < i && !replace; ++k) std::filesystem::remove(files[k].first);
-    return committed;
+  return has_any ? Result<void>() : format.write(document, options, nullptr, diagnostics);
+}
+
+/// Writes the file that belongs to another one, the skeleton of an AMC file, and tells its name.
+Result<void> write_companion(const std::string& path, const Document& document,
+                             const Format& format, WriteOptions& options, const OutputFiles& files,
+                             Diagnostics& diagnostics) {
+  if (path == "-") {
+    diagnostics.add(Severity::Note, "FMT003",
+                    fmt::format("the {} file that belongs to it is not written to standard output",
+                                format.companion));
+    return {};
   }
-  return {};
+  const Format& other = *find_format(format.companion);
+  const std::string name = companion_path(path, other);
+  if (name == path) {
+    return fail(ErrorKind::Usage, "FMT004",
+                fmt::format("{} is written as two files, and '{}' is the name of the other one",
+                            format.name, path));
+  }
+  WriteOptions for_companion = options;
+  for_companion.is_companion = true;
+  options.companion = name.substr(name.find_last_of('/') + 1);
+  return write_one(name, document, other, for_companion, files, diagnostics);
 }
 
 }  // namespace
@@ -165,54 +179,36 @@ Result<RobotProject> read_project_file(const std::string& path, ReadOptions opti
   return read_project(bytes->view(), options, diagnostics);
 }
 
-Result<void> write_file(const std::string& path, const Document& document, const Format& format,
-                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
+Result<void> write(const std::string& name, const Document& document, const Format& format,
+                   const WriteOptions& options, const OutputFiles& files,
+                   Diagnostics& diagnostics) {
   if (format.write == nullptr) {
     const std::string writable =
         names_of_formats([](const Format& known) { return known.write != nullptr; });
-    return fail(make_error(
+    return fail(
         ErrorKind::Usage, "FMT002",
-        fmt::format("{} is only read, not written; what is written: {}", format.name, writable)));
-  }
-  if (format.has_part != nullptr) {
-    return write_set(path, document, format, options, replace, diagnostics);
+        fmt::format("{} is only read, not written; what is written: {}", format.name, writable));
   }
   WriteOptions with_companion = options;
-  if (!format.companion.empty() && options.writes_companion && path == "-") {
-    diagnostics.add(Severity::Note, "FMT003",
-                    fmt::format("the {} file that belongs to it is not written to standard output",
-                                format.companion));
-  }
-  std::optional<OutputFile> beside;
-  std::string beside_path;
-  if (!format.companion.empty() && options.writes_companion && path != "-") {
-    const Format& other = *find_format(format.companion);
-    const std::string name = companion_path(path, other);
-    if (name == path) {
-      return fail(make_error(ErrorKind::Usage, "FMT004",
-                             fmt::format("{} is written as two files, and '{}' is the name of the "
-                                         "other one",
-                                         format.name, path)));
+  Result<void> written;
+  if (format.has_part != nullptr) {
+    written = write_set(name, document, format, options, files, diagnostics);
+  } else {
+    if (!format.companion.empty() && options.writes_companion) {
+      written = write_companion(name, document, format, with_companion, files, diagnostics);
     }
-    WriteOptions for_companion = options;
-    for_companion.is_companion = true;
-    auto written = write_output(name, document, other, for_companion, replace, diagnostics);
-    if (!written) return fail(std::move(written.error()));
-    beside = std::move(*written);
-    beside_path = name;
-    with_companion.companion = name.substr(name.find_last_of('/') + 1);
+    if (written) written = write_one(name, document, format, with_companion, files, diagnostics);
   }
-  auto file = write_output(path, document, format, with_companion, replace, diagnostics);
-  if (!file) return fail(std::move(file.error()));
   // Under --strict a warning of a writer is an error, and the file does not come into being.
-  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  if (beside) {
-    if (auto committed = beside->commit(); !committed) return committed;
-  }
-  auto committed = file->commit();
-  // Half of a pair is not left behind, unless it replaced another one.
-  if (!committed && beside && !replace) std::filesystem::remove(beside_path);
-  return committed;
+  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
+  return written;
+}
+
+Result<void> write_file(const std::string& path, const Document& document, const Format& format,
+                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
+  const OutputFiles files = files_on_disk(replace);
+  auto written = write(path, document, format, options, files, diagnostics);
+  return written ? files.commit() : written;
 }
 
 }  // namespace kinefile

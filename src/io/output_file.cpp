@@ -125,9 +125,14 @@ bool OutputFile::write(std::string_view bytes) {
   return state_->fault == 0;
 }
 
+Result<void> OutputFile::fault() const {
+  if (state_->fault != 0) return fail(cannot_write(state_->path, state_->fault));
+  return {};
+}
+
 Result<void> OutputFile::commit() {
   State& state = *state_;
-  if (state.fault != 0) return fail(cannot_write(state.path, state.fault));
+  if (state.fault != 0) return fault();
   if (state.temporary.empty()) return {};
   if (::fsync(state.descriptor) != 0) return fail(cannot_write(state.path, errno));
   // A link made in one step fails where the name has been taken since, which a rename would not.

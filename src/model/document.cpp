@@ -16,6 +16,13 @@ const Skeleton& skeleton_of(const Document& document) {
   return motion != nullptr ? motion->skeleton : std::get<Skeleton>(document.content);
 }
 
+Motion still_or_moving(const Document& document) {
+  if (const Motion* motion = std::get_if<Motion>(&document.content)) return *motion;
+  Motion still{skeleton_of(document), {}};
+  still.clip.num_coordinates = still.skeleton.coordinates.size();
+  return still;
+}
+
 bool has_skeleton(const Document& document) {
   return std::holds_alternative<Motion>(document.content) ||
          std::holds_alternative<Skeleton>(document.content);

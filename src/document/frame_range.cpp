@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "frame_range.hpp"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <string>
 #include <vector>
 
-namespace kinefile::cli {
+#include "document/operation_words.hpp"
+#include "kinefile/operation.hpp"
+
+namespace kinefile {
 
 std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames) {
-  std::vector<std::string> parts = CLI::detail::split(text, ':');
+  std::vector<std::string> parts = words::split(text, ':');
   if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
   FrameRange range{0, num_frames, 1};
   if (text.empty()) return range;
@@ -28,4 +29,4 @@ std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_f
   return range;
 }
 
-}  // namespace kinefile::cli
+}  // namespace kinefile

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/document.hpp"
+#include "kinefile/result.hpp"
+#include "kinefile/robot_project.hpp"
+
+namespace kinefile {
+
+/// What an operation may need beside the document that it changes.
+struct OperationContext {
+  bool lenient = false;  ///< repairs what docs/errors.md names, with a warning each
+  /// Reads another file that an operation names (`append=FILE`); null: there is none to be had.
+  std::function<Result<Document>(const std::string& name)> open = {};
+  /// Of flows: the robot's project, which knows the pairs of a mirror. Null: none.
+  std::shared_ptr<const RobotProject> project = nullptr;
+};
+
+/// What an operation does to a document.
+using ApplyOperation =
+    std::function<Result<void>(Document&, const OperationContext&, Diagnostics&)>;
+
+/// An operation as the table of operations has it: what `kinefile edit`, its help and its
+/// completions know of it. A word of the command line is NAME or NAME=ARGUMENT.
+struct OperationInfo {
+  std::string_view name;
+  std::string_view usage;    ///< how it is called on a motion: "trim=A:B"; empty: not at all
+  std::string_view help;     ///< what it does, in one line
+  bool needs_motion = true;  ///< else it takes a skeleton alone, too
+  bool works_on_components = false;  ///< whether it takes a body motion without its robot
+  /// Reads the argument: what follows "=", or null. An empty function says that it is not what
+  /// `usage` asks for.
+  ApplyOperation (*parse)(const std::string* argument) = nullptr;
+  std::string_view flow_usage = {};  ///< how it is called on a flow; empty: not at all
+  ApplyOperation (*parse_for_flow)(const std::string* argument) = nullptr;
+};
+
+/// Every operation, in the order in which they are listed.
+std::span<const OperationInfo> operations();
+
+/// One operation with its argument, read from a word such as "trim=10:20".
+struct Operation {
+  std::string word;
+  const OperationInfo* info = nullptr;
+  ApplyOperation apply = {};          ///< to all but flows; empty: the word is none for them
+  ApplyOperation apply_to_flow = {};  ///< empty: the word is none for flows
+};
+
+/// Reads an operation.
+/// \errors CLI001 (Usage) if there is none of that name, or its argument is not what it takes
+Result<Operation> parse_operation(const std::string& word);
+
+/// How the operations are called, in one text, for help.
+std::string list_of_operations();
+
+/// Reads several, each a word.
+/// \errors as `parse_operation`
+Result<std::vector<Operation>> parse_operations(std::span<const std::string> words);
+
+/// Applies operations one after the other. An error names the one that it came from; the document
+/// is then in an unspecified state.
+/// \errors CLI001 (Usage) if an operation does not take this kind of document; those of the
+///         operations
+Result<void> apply(std::span<const Operation> operations, Document& document,
+                   const OperationContext& context, Diagnostics& diagnostics);
+
+/// Changes the motion of a document. A skeleton alone is given to `change` as a motion without
+/// frames. The components of a body motion are changed one by one, each as a motion of loose parts
+/// (see `robot::motion_of_component`); all must have one length and rate.
+/// \errors those of `change`; CLI002 (Usage) if the components do not agree; CLI001 for a flow
+Result<void> change_motion(Document& document,
+                           const std::function<Result<Motion>(const Motion&)>& change);
+
+/// Changes the components of a body motion one by one, each as a motion of loose parts.
+/// \param must_agree  whether they must have one length and rate
+/// \errors CLI002 (Usage) if they must and do not; those of `change`
+Result<void> change_components(BodyMotion& body, bool must_agree,
+                               const std::function<Result<Motion>(const Motion&)>& change);
+
+/// Frames from `begin` to `end`, `end` not included, every `step` of them.
+struct FrameRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t step = 1;
+
+  /// How many frames it holds.
+  std::size_t num_frames() const { return (end - begin + step - 1) / step; }
+};
+
+/// Reads A:B or A:B:STEP, either end left out at will; all frames for an empty text. Nothing for
+/// other texts, and for frames that a motion of so many does not have.
+std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames);
+
+}  // namespace kinefile

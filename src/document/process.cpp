@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/process.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace kinefile {
+namespace {
+
+/// What a source gives; null where there is no source.
+Result<std::shared_ptr<const Document>> document_of(const DocumentSource& source,
+                                                    Diagnostics& diagnostics) {
+  if (!source) return std::shared_ptr<const Document>();
+  return source(diagnostics);
+}
+
+/// Whether a document needs a robot to come into a kind that a format takes. A skeleton that a
+/// motion was read with is no robot to put it on.
+bool needs_robot(const Document& document, const Format& format, const AdaptOptions& adapting) {
+  if (std::holds_alternative<BodyMotion>(document.content) || adapting.robot) return true;
+  const Format* from = find_format(document.format);
+  const bool has_own_skeleton = from != nullptr && !from->companion.empty();
+  return (format.has_part != nullptr || adapting.kinds.form.has_value()) && !has_own_skeleton;
+}
+
+Result<Document> in_wanted_kind(Document document, const Format& format,
+                                const AdaptOptions& adapting, Diagnostics& diagnostics) {
+  KindOptions kinds = adapting.kinds;
+  std::shared_ptr<const Document> model;
+  if (needs_robot(document, format, adapting)) {
+    auto found = document_of(adapting.robot ? adapting.robot : adapting.skeleton, diagnostics);
+    if (!found) return fail(std::move(found.error()));
+    model = std::move(*found);
+    kinds.model = model.get();
+  }
+  return in_kind_of(format, std::move(document), kinds, diagnostics);
+}
+
+/// The motion on the skeleton that was named for it, if its format keeps that in a file of its own.
+/// \param skeleton  out: that skeleton
+Result<Document> on_named_skeleton(Document document, const Format& format,
+                                   const AdaptOptions& adapting,
+                                   std::shared_ptr<const Document>& skeleton,
+                                   Diagnostics& diagnostics) {
+  Diagnostics ignored;  // a motion that needs it has told of it already
+  const bool is_new = document.format != format.name;
+  auto found = document_of(adapting.skeleton, is_new ? diagnostics : ignored);
+  if (!found) return fail(std::move(found.error()));
+  skeleton = std::move(*found);
+  if (!is_new || skeleton == nullptr) return document;
+  return on_skeleton_of(*skeleton, std::move(document), diagnostics);
+}
+
+}  // namespace
+
+Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
+                       WriteOptions& options, Diagnostics& diagnostics) {
+  shape::ChannelOptions channels = adapting.channels;
+  const auto kept = document.extras.file.find("positions");
+  channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
+  const bool was_body = std::holds_alternative<BodyMotion>(document.content);
+  auto made = in_wanted_kind(std::move(document), format, adapting, diagnostics);
+  std::shared_ptr<const Document> skeleton;
+  if (made && !format.companion.empty() && !was_body) {
+    made = on_named_skeleton(std::move(*made), format, adapting, skeleton, diagnostics);
+  }
+  if (made) made = adapted_to(format, std::move(*made), channels, diagnostics);
+  if (!made) return made;
+  // The named skeleton serves the output, too, as long as the motion still fits it.
+  if (skeleton != nullptr && skeleton->format == format.companion &&
+      are_written_alike(*find_format(format.companion), *skeleton, *made)) {
+    options.writes_companion = false;
+    const std::string& name = adapting.skeleton_name;
+    options.companion = name.substr(name.find_last_of('/') + 1);
+  }
+  return made;
+}
+
+Report process(const Job& job, const OutputFiles& files) {
+  Report report;
+  const auto ended = [&report](const Error& error) {
+    report.error = error;
+    return std::move(report);
+  };
+  auto document =
+      job.bytes ? read_bytes(*job.bytes, job.source, job.from, job.reading, report.diagnostics)
+                : read_file(job.source, job.from, job.reading, report.diagnostics);
+  if (!document) return ended(document.error());
+  report.kind = kind_name(*document);
+  const Format* format = job.to != nullptr ? job.to : format_of_name(job.target);
+  if (format == nullptr) {
+    return ended(make_error(ErrorKind::Usage, "CLI001",
+                            fmt::format("'{}' shows no format by its name", job.target)));
+  }
+  auto applied = apply(job.operations, *document, job.context, report.diagnostics);
+  if (!applied) return ended(applied.error());
+  WriteOptions options = job.writing;
+  auto adapted = adapt(std::move(*document), *format, job.adapting, options, report.diagnostics);
+  if (!adapted) return ended(adapted.error());
+  OutputFiles told = files;
+  std::vector<std::string> names;
+  told.open = [&files, &names](const std::string& name) {
+    names.push_back(name);
+    return files.open(name);
+  };
+  auto written = write(job.target, *adapted, *format, options, told, report.diagnostics);
+  if (written) written = files.commit();
+  if (!written) return ended(written.error());
+  if (const Motion* motion = std::get_if<Motion>(&adapted->content)) {
+    report.num_frames = motion->clip.num_frames;
+  }
+  report.files = std::move(names);
+  return report;
+}
+
+}  // namespace kinefile

@@ -105,7 +105,6 @@ class Array {
   const T& operator[](std::size_t i) const { return data_[i]; }
   const T& front() const { return data_[0]; }
   const T& back() const { return data_[size_ - 1]; }
-  operator std::span<const T>() const { return {data_, size_}; }
 
   /// The elements, to be written by the caller alone; copies them first if others look at them. The
   /// span is good until the array is copied, resized or destroyed.

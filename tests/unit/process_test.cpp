@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "kinefile/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/support.hpp"
+#include "walk.hpp"
+
+namespace kinefile {
+namespace {
+
+std::string walk_as_bvh() {
+  return test::write_to_string({examples::make_walk({.num_frames = 100}), "bvh", {}}, "bvh");
+}
+
+struct Done {
+  Report report;
+  std::vector<MemoryFile> files;
+};
+
+Done done(Job job) {
+  auto files = std::make_shared<std::vector<MemoryFile>>();
+  Done result{process(job, files_in_memory(files)), {}};
+  result.files = *files;
+  return result;
+}
+
+Job job_of(std::string_view bytes, const std::vector<std::string>& words, std::string target) {
+  Job job;
+  job.source = "walk.bvh";
+  job.bytes = bytes;
+  job.operations = parse_operations(words).value();
+  job.target = std::move(target);
+  return job;
+}
+
+TEST(Process, ReadsChangesAndWritesInMemory) {
+  const std::string bytes = walk_as_bvh();
+  const Done result = done(job_of(bytes, {"mirror", "trim=:60"}, "y.bvh"));
+  ASSERT_FALSE(result.report.error);
+  EXPECT_EQ(result.report.kind, "motion");
+  EXPECT_EQ(result.report.num_frames, 60u);
+  ASSERT_EQ(result.files.size(), 1u);
+  EXPECT_EQ(result.files[0].name, "y.bvh");
+  Diagnostics diagnostics;
+  const auto again = read_bytes(result.files[0].bytes, "y.bvh", nullptr, {}, diagnostics);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(std::get<Motion>(again->content).clip.num_frames, 60u);
+}
+
+TEST(Process, AFormatOfTwoFilesGivesTwoNames) {
+  const std::string bytes = walk_as_bvh();
+  const Done result = done(job_of(bytes, {}, "out/y.amc"));
+  ASSERT_FALSE(result.report.error);
+  EXPECT_EQ(result.report.files, (std::vector<std::string>{"out/y.asf", "out/y.amc"}));
+  ASSERT_EQ(result.files.size(), 2u);
+  EXPECT_TRUE(result.files[0].bytes.starts_with("# ") || result.files[0].bytes.starts_with(":"));
+}
+
+TEST(Process, WhatFailsWritesNothingAndSaysWhere) {
+  const std::string bytes = walk_as_bvh();
+  const Done result = done(job_of(bytes, {"trim=50:200"}, "y.bvh"));
+  ASSERT_TRUE(result.report.error);
+  EXPECT_EQ(result.report.error->code, "EDT003");
+  EXPECT_EQ(result.report.error->kind, ErrorKind::Usage);
+  EXPECT_EQ(result.report.error->message,
+            "trim=50:200: expected frames within 0:100, found 50:200");
+  EXPECT_TRUE(result.files.empty());
+  EXPECT_TRUE(result.report.files.empty());
+  EXPECT_EQ(done(job_of("no motion", {}, "y.bvh")).report.error->code, "BVH001");
+}
+
+TEST(Operations, EveryOperationIsDescribed) {
+  for (const OperationInfo& info : operations()) {
+    EXPECT_FALSE(info.help.empty()) << info.name;
+    EXPECT_EQ(info.usage.empty(), info.parse == nullptr) << info.name;
+    EXPECT_EQ(info.flow_usage.empty(), info.parse_for_flow == nullptr) << info.name;
+  }
+}
+
+TEST(Operations, WordsThatAreNoneAreRefused) {
+  for (const char* word : {"nosuch", "trim", "trim=a", "mirror=w", "scale=0", "scale=-1", "loop=x",
+                           "up=x", "rename=a", "smooth=", "joints="}) {
+    const auto operation = parse_operation(word);
+    ASSERT_FALSE(operation) << word;
+    EXPECT_EQ(operation.error().kind, ErrorKind::Usage) << word;
+  }
+}
+
+/// Every operation meets every kind of document: it does something or says why not.
+TEST(Operations, TakeOrRefuseEveryKindOfDocument) {
+  const Motion walk = examples::make_walk({.num_frames = 20});
+  BodyMotion body;
+  Component component;
+  component.content = "JointDisplacement";
+  component.num_parts = 2;
+  component.num_frames = 3;
+  component.values = {1, 2, 3, 4, 5, 6};
+  body.components.push_back(component);
+  const std::vector<Document> documents = {{walk, "bvh", {}},
+                                           {walk.skeleton, "bvh", {}},
+                                           {body, "choreonoid", {}},
+                                           {BodyMotion{}, "choreonoid", {}},
+                                           {PoseFlow{}, "robovie", {}}};
+  for (const char* word :
+       {"trim=0:2",         "reverse",        "speed=2",          "mirror",
+        "scale=2",          "up=z",           "in-place",         "loop=2",
+        "append=other.bvh", "joints=Hips",    "rename=Hips:Root", "smooth=3",
+        "unwrap",           "zmp=root",       "zmp=global",       "offset=0:1",
+        "merge=x.txt,0",    "insert=0,x.txt", "delete=0",         "mirror=0:1"}) {
+    const auto operation = parse_operation(word);
+    ASSERT_TRUE(operation) << word;
+    for (Document document : documents) {
+      Diagnostics diagnostics;
+      const auto applied = apply({&*operation, 1}, document, {}, diagnostics);
+      if (!applied) {
+        EXPECT_FALSE(applied.error().code.empty()) << word;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinefile

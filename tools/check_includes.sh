@@ -15,7 +15,18 @@ printf '#include <Eigen/Core>\n#include <Eigen/Geometry>\n' >"$out/eigen.hpp"
 # shellcheck disable=SC2086 # one word a flag
 clang++-14 $flags -fpch-instantiate-templates -x c++-header "$out/eigen.hpp" -o "$out/eigen.pch"
 
+# shellcheck disable=SC2046 # no name has blanks
 [ $# -gt 0 ] || set -- $(tools/sources.sh include src cli | grep -E '^include/|\.cpp$')
+
+# The shared library exports what public headers declare, where they say so.
+for header in include/kinefile/*.hpp; do
+  grep -q '^namespace kinefile' "$header" || continue
+  grep -qx '#pragma GCC visibility push(default)' "$header" &&
+    [ "$(tail -n 1 "$header")" = '#pragma GCC visibility pop' ] && continue
+  echo "$header: expected '#pragma GCC visibility push(default)' before its declarations, and pop" >&2
+  exit 1
+done
+
 export flags out
 # shellcheck disable=SC2016 # expanded by the inner shell
 printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 sh -c '

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs build/release and builds tests/consumer against it: by find_package and by pkg-config, with
-# the library's flags, with -mavx2 and with -march=native. The sizes of public structs and what is
-# computed must not depend on any of these.
+# Installs build/release, as a static and as a shared library, and builds tests/consumer against each:
+# by find_package and by pkg-config, with the library's flags, with -mavx2 and with -march=native. The
+# sizes of public structs and what is computed must not depend on any of these.
 set -eu
 
 root=$(pwd)
@@ -57,4 +57,24 @@ for name in share/man/man1/kinefile.1 share/bash-completion/completions/kinefile
 done
 bash -n "$stage/share/bash-completion/completions/kinefile"
 
+# The same objects make the shared library: only links are made anew, and then undone.
+use_libraries() {
+  if ! { cmake -DBUILD_SHARED_LIBS="$1" build/release &&
+    cmake --build build/release --target kinefile kinefile_command kinefile_manual
+  } >build/shared.log 2>&1; then
+    fail "$(tail -n 60 build/shared.log)"
+  fi
+}
+trap 'use_libraries OFF' EXIT
+use_libraries ON
+check_installed shared
+library=$(find "$root/build/install/shared" -name 'libkinefile.so.*.*.*')
+[ -n "$library" ] || fail "no libkinefile.so with a version is installed"
+objdump -p "$library" | grep -q 'SONAME *libkinefile\.so\.[0-9]*\.[0-9]*$' ||
+  fail "$library has no soname with a version"
+objdump -p "$root/build/install/shared/bin/kinefile" | grep -q 'NEEDED *libkinefile\.so' ||
+  fail "the command does not use the shared library"
+# Internals are hidden: what a format's reader is made of, for one.
+! nm -DC --defined-only "$library" | grep -q 'kinefile::bvh::' ||
+  fail "$library exports its internals: $(nm -DC --defined-only "$library" | grep -m 3 'kinefile::bvh::')"
 echo "Sizes with all flags: $sizes"

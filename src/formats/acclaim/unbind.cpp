@@ -54,7 +54,7 @@ void add_words(const Skeleton& skeleton, const std::vector<const DegreeOfFreedom
                WordsFrom from, DofWord first_word, std::vector<Worded>& worded) {
   std::set<std::size_t> axes;
   for (const DegreeOfFreedom* dof : dofs) axes.insert(named_axis(skeleton, *dof, from));
-  const bool are_named = axes.size() == dofs.size() && axes.count(3) == 0;
+  const bool are_named = axes.size() == dofs.size() && !axes.contains(3);
   for (std::size_t d = 0; d < dofs.size(); ++d) {
     const std::size_t axis = are_named ? named_axis(skeleton, *dofs[d], from) : d;
     worded.push_back({dofs[d], static_cast<DofWord>(static_cast<std::size_t>(first_word) + axis)});
@@ -290,7 +290,7 @@ Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit u
 /// had; then those are put back.
 bool restore_forced(Unbound& unbound, const Skeleton& skeleton, const Extras& extras,
                     const std::vector<std::size_t>& joint_of_bone) {
-  if (extras.file.count("force_3dof") == 0) return false;
+  if (!extras.file.contains("force_3dof")) return false;
   std::vector<Bone> bones = unbound.file.bones;
   auto columns = unbound.columns;
   for (std::size_t b = 0; b < bones.size(); ++b) {

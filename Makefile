@@ -41,7 +41,6 @@ fuzz:
 
 lint:
 	@tools/setup.sh test
-	@tools/build.sh release
 	@tools/lint.sh
 
 format:

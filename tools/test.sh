@@ -8,11 +8,14 @@ say() { printf '\n== %s\n' "$*"; }
 say "Layout of the code"
 tools/sources.sh . | xargs clang-format-14 --dry-run --Werror
 
-say "Release build: unit, format, property, transcript, header, layer and document tests"
+say "Release build: unit, format, property, transcript, layer and document tests"
 tools/build.sh release
 ctest --test-dir build/release --output-on-failure
 
-say "Installation: find_package and pkg-config in a program of its own"
+say "Every public header and every source file compiles alone"
+tools/check_includes.sh
+
+say "Installation: find_package and pkg-config in a program of its own, with other flags, too"
 tools/test_install.sh
 
 say "The same tests under the address and undefined behaviour sanitizers"
@@ -20,7 +23,7 @@ tools/build.sh asan
 ctest --test-dir build/sanitize --output-on-failure
 
 say "Fuzzing each reader for a while"
-tools/fuzz.sh "${FUZZ_SECONDS:-20}"
+tools/fuzz.sh "${FUZZ_SECONDS:-8}"
 
 say "The core for the browser: its unit tests under Node"
 tools/build.sh wasm

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A program outside the project: reads a BVH file and prints where its second joint is.
+// A program outside the project: prints the sizes of public structs, which must not depend on the
+// compiler's flags, reads a BVH file and prints where its second joint is.
 
 #include <cstdio>
 #include <kinefile/kinefile.hpp>
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
+  std::printf("Joint %zu Skeleton %zu Motion %zu Clip %zu Document %zu DegreeOfFreedom %zu\n",
+              sizeof(kinefile::Joint), sizeof(kinefile::Skeleton), sizeof(kinefile::Motion),
+              sizeof(kinefile::Clip), sizeof(kinefile::Document),
+              sizeof(kinefile::DegreeOfFreedom));
   kinefile::Diagnostics diagnostics;
   const auto document = kinefile::read_file(argv[1], nullptr, {}, diagnostics);
   if (!document) {

@@ -173,7 +173,7 @@ void keep_bone(Bones& bones, Bone bone, const BoneParts& parts) {
   Parser& parser = bones.parser;
   bone.at = parts.name_at;
   const std::string name = lowered(bone.name);
-  const bool is_known = name == "root" || bones.index_of_name.count(name) > 0;
+  const bool is_known = name == "root" || bones.index_of_name.contains(name);
   if (is_known) {
     parser.error(code::kRepeatedName,
                  fmt::format("expected a name that no other bone has, found '{}' again", bone.name),

@@ -54,7 +54,7 @@ void add_words(const Skeleton& skeleton, const std::vector<const DegreeOfFreedom
                WordsFrom from, DofWord first_word, std::vector<Worded>& worded) {
   std::set<std::size_t> axes;
   for (const DegreeOfFreedom* dof : dofs) axes.insert(named_axis(skeleton, *dof, from));
-  const bool are_named = axes.size() == dofs.size() && axes.count(3) == 0;
+  const bool are_named = axes.size() == dofs.size() && !axes.contains(3);
   for (std::size_t d = 0; d < dofs.size(); ++d) {
     const std::size_t axis = are_named ? named_axis(skeleton, *dofs[d], from) : d;
     worded.push_back({dofs[d], static_cast<DofWord>(static_cast<std::size_t>(first_word) + axis)});
@@ -94,6 +94,24 @@ Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& join
   return worded;
 }
 
+/// A turn that brings the coordinate axis k onto a unit vector. (Eigen's FromTwoVectors finds the
+/// axis of a half turn by an SVD, which takes longer to compile than this file.)
+Quat turn_onto(Eigen::Index k, const Vec3& unit) {
+  const Vec3 from = Vec3::Unit(k);
+  const Vec3 onto = unit.normalized();
+  const double cosine = from.dot(onto);
+  const Vec3 across = from.cross(onto);
+  if (cosine > -0.5) {
+    const double twice_w = std::sqrt((1 + cosine) * 2);
+    const Vec3 v = across * (1 / twice_w);
+    return Quat(twice_w / 2, v.x(), v.y(), v.z());
+  }
+  const double sine = across.norm();  // towards a half turn, 1 + cosine loses digits
+  const Vec3 any = Vec3::Unit(k == 2 ? 1 : 2);
+  const Vec3 v = (sine > 0 ? Vec3(across / sine) : any) * (1 - cosine);
+  return Quat(sine, v.x(), v.y(), v.z()).normalized();
+}
+
 /// The axes that a bone's words stand for, as a rotation from x, y and z, as far as its degrees of
 /// freedom tell; nothing if they are not at right angles or make a mirror image.
 std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
@@ -113,7 +131,7 @@ std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
   }
   for (Eigen::Index k = 0; k < 3; ++k) {  // one that is known: any turn that brings it there
     if (axes.col(k).squaredNorm() == 0 || axes.col((k + 1) % 3).squaredNorm() > 0) continue;
-    axes = Quat::FromTwoVectors(Vec3::Unit(k), axes.col(k)).toRotationMatrix();
+    axes = turn_onto(k, axes.col(k)).toRotationMatrix();
     break;
   }
   if (axes.isZero()) return Mat3::Identity();
@@ -272,7 +290,7 @@ Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit u
 /// had; then those are put back.
 bool restore_forced(Unbound& unbound, const Skeleton& skeleton, const Extras& extras,
                     const std::vector<std::size_t>& joint_of_bone) {
-  if (extras.file.count("force_3dof") == 0) return false;
+  if (!extras.file.contains("force_3dof")) return false;
   std::vector<Bone> bones = unbound.file.bones;
   auto columns = unbound.columns;
   for (std::size_t b = 0; b < bones.size(); ++b) {

@@ -86,12 +86,12 @@ Layout layout_of(const Document& document, FlowFormat format, const WriteOptions
   Layout layout;
   layout.has_blank_lines = format == FlowFormat::V1R4;
   const auto& kept = document.extras.file;
-  if (document.format == "robovie" && kept.count("encoding") > 0) {
+  if (document.format == "robovie" && kept.contains("encoding")) {
     const std::string& description = kept.at("encoding");
     layout.encoding = description.substr(0, description.find(' '));
     layout.has_bom = description != layout.encoding;
     layout.line_end = kept_line_end(document.extras);
-    layout.ends_with_line = kept.count(extra::kLastLineEnd) == 0;
+    layout.ends_with_line = !kept.contains(extra::kLastLineEnd);
     const auto blank_lines = kept.find(extra::kBlankLines);
     if (blank_lines != kept.end()) layout.has_blank_lines = blank_lines->second == "blocks";
   }

@@ -147,7 +147,7 @@ class TreeBuilder {
 
   void add_alias(const Event& event) {
     const auto found = anchors_.find(event.anchor);
-    if (found == anchors_.end() || is_open_.count(found->second) > 0) {
+    if (found == anchors_.end() || is_open_.contains(found->second)) {
       tell(Severity::Error, "YML007",
            found == anchors_.end()
                ? fmt::format("expected an anchor before its alias '*{}', found none", event.anchor)

@@ -10,18 +10,19 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Layer: the layers that it may include. Public headers belong to a layer each, see PUBLIC.
-_BELOW_OPERATIONS = ["base", "simd", "math", "model", "kinematics"]
+_BELOW_OPERATIONS = ["base", "simd", "math", "rotation", "model", "kinematics"]
 OPERATIONS = ["retime", "edit", "shape", "flow", "robot", "servo"]
 
 LAYERS = {
     "base": [],
     "simd": ["base"],
     "math": ["base", "simd"],
+    "rotation": ["base", "simd", "math"],
     "text": ["base", "simd"],
     "model": ["base", "math"],
     "format": ["base", "text", "math", "model"],
     "registry": ["base", "text", "math", "model", "format"],
-    "kinematics": ["base", "simd", "math", "model"],
+    "kinematics": ["base", "simd", "math", "rotation", "model"],
     "retime": _BELOW_OPERATIONS,
     "edit": _BELOW_OPERATIONS + ["retime"],
     "shape": _BELOW_OPERATIONS,

@@ -10,6 +10,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
+/// Operations that take a motion by value change it in place where nobody else looks at its clip:
+/// hand it over with std::move. Others leave what they are given as it is.
 namespace kinefile::edit {
 
 /// The frames from `begin` to `end`, `end` not included, bit for bit. The file's own number of the
@@ -18,7 +20,7 @@ namespace kinefile::edit {
 Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end);
 
 /// The frames from the last to the first, bit for bit.
-Motion reverse(const Motion& motion);
+Motion reverse(Motion motion);
 
 /// The motion in a mirror: what the left side did, the right side does. The skeleton stays, even
 /// where its halves differ. Joints are paired by name (Left/Right and 左/右 anywhere, l/r and L/R
@@ -40,7 +42,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
 std::size_t guess_mirror_axis(const Skeleton& skeleton);
 
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
-Motion scale(const Motion& motion, double factor);
+Motion scale(Motion motion, double factor);
 
 /// The same motion in coordinates in which another axis points up: turned about x by a quarter.
 /// The skeleton's offsets and axes turn along, so that angles stay as they are: every bit but the
@@ -48,11 +50,11 @@ Motion scale(const Motion& motion, double factor);
 /// and back to y is the same skeleton and the same bits.
 /// With a note (EDT009) and no change if that axis points up already (see `guess_up_axis`).
 /// \param axis  1 for y, 2 for z
-Motion up(const Motion& motion, std::size_t axis, Diagnostics& diagnostics);
+Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
 
 /// The motion on the spot: every root stays over the place on the ground where it starts. Columns
 /// along the axis that points up (see `guess_up_axis`) keep every bit.
-Motion in_place(const Motion& motion);
+Motion in_place(Motion motion);
 
 /// The motion `count` times. Without blending every bit is kept, and the figure jumps back to its
 /// start; with blending see `append`.
@@ -67,7 +69,7 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
 /// skeleton's size; rest values may differ. Frame rates agree to 1e-6. \errors EDT005 (Usage) if
 /// the skeletons or frame rates differ, one has fewer frames than are
 ///         to be blended, or the result would have more than 2^30 values
-Result<Motion> append(const Motion& first, const Motion& second, std::size_t num_blend_frames);
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames);
 
 /// The motion of some joints and of all joints above them, which keep their places in the world.
 /// A joint that loses all children and has no tip gets tips where they were; with a warning
@@ -90,11 +92,11 @@ Result<void> rename(Document& document, const std::string& old_name, const std::
 /// \errors EDT007 (Usage) for another cut-off, EDT008 (InvalidInput) for values that are not finite
 /// Source: Butterworth, Wireless Engineer 7 (1930); Winter, "Biomechanics and Motor Control of
 /// Human Movement" (forwards and backwards).
-Result<Motion> smooth(const Motion& motion, double cutoff_hz);
+Result<Motion> smooth(Motion motion, double cutoff_hz);
 
 /// The same motion with angles that do not jump: whole turns, and for three rotations of a joint
 /// the other triple for the same rotation, where that is nearer to the frame before; for joints
 /// that move freely the other sign of the quaternion. Values that need no change keep every bit.
-Motion unwrap(const Motion& motion);
+Motion unwrap(Motion motion);
 
 }  // namespace kinefile::edit

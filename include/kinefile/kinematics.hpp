@@ -3,12 +3,90 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "kinefile/motion.hpp"
 #include "kinefile/world_poses.hpp"
 
 namespace kinefile {
+
+/// Rows of values to place: `num_frames` rows of a skeleton's coordinates, each `stride` numbers
+/// behind the one before.
+struct ValueRows {
+  std::span<const double> values;
+  std::size_t num_frames = 0;
+  std::size_t stride = 0;
+};
+
+/// Where poses go: memory of the caller's, laid out as in `PoseArrays`. What is empty is not
+/// computed, but positions are always.
+struct PoseSpans {
+  std::span<double> positions;   ///< [frame][joint][3]
+  std::span<double> rotations;   ///< [frame][joint][4] or empty
+  std::span<double> directions;  ///< [frame][joint][3] or empty
+  std::span<double> tips;        ///< [frame][tip][3] or empty
+};
+
+/// How a joint stands in the world: world_from_joint = T(position) rotation.
+struct JointFrame {
+  Mat3 rotation = Mat3::Identity();
+  Vec3 position = Vec3::Zero();
+};
+
+/// A point that goes with a joint.
+struct JointPoint {
+  std::size_t joint = 0;
+  Vec3 offset = Vec3::Zero();  ///< in the joint's frame
+  bool is_on_tail = false;     ///< moves with the joint's tail, as its children and tips do
+};
+
+/// Places a skeleton: plans once, then places rows and tells derivatives as often as is wanted.
+/// Copies share the plan. All const functions may be called from several threads at once.
+/// Values that are not finite give poses that are not; a free joint's quaternion is normalised
+/// unless the square of its length is within 1e-8 of 1, as rounding to nine digits leaves it.
+class Kinematics {
+ public:
+  /// \param skeleton  valid (see `validate`); not looked at afterwards
+  explicit Kinematics(const Skeleton& skeleton);
+
+  std::size_t num_joints() const;
+  std::size_t num_tips() const;
+  std::size_t num_coordinates() const;
+
+  /// Places every joint in the world, for every row: world_from_joint.
+  void place(const ValueRows& rows, const PoseSpans& out) const;
+
+  /// Places every joint in its parent's frame, for every row: parent_from_joint; tips are in the
+  /// parent's frame of their joint, too.
+  void place_locally(const ValueRows& rows, const PoseSpans& out) const;
+
+  /// Places every joint in the world for one row. Allocates nothing.
+  /// \param row     shape (coordinates)
+  /// \param frames  out; shape (joints)
+  void place_row(std::span<const double> row, std::span<JointFrame> frames) const;
+
+  /// Where a point is in the world. Allocates nothing.
+  /// \param frames  what `place_row` makes of the row
+  Vec3 position_of(const JointPoint& point, std::span<const double> row,
+                   std::span<const JointFrame> frames) const;
+
+  /// The Jacobian of a point's position in the world: its derivative by every coordinate, in the
+  /// coordinates' own units (a degree where angles are in degrees). Where several degrees of
+  /// freedom read a column, their derivatives add up; a column that moves the point in no way has
+  /// 0. A free joint has seven columns: its position, and the four numbers of its quaternion,
+  /// whose derivatives are those of the normalised quaternion: along the quaternion itself there
+  /// is none. Allocates nothing.
+  /// \param frames    what `place_row` makes of the row
+  /// \param jacobian  out; [coordinate][3], which is a 3 x coordinates matrix in column order
+  void jacobian(const JointPoint& point, std::span<const double> row,
+                std::span<const JointFrame> frames, std::span<double> jacobian) const;
+
+ private:
+  struct Plan;
+  std::shared_ptr<const Plan> plan_;
+};
 
 /// Which frames to place and what to tell of them, beside the positions.
 struct KinematicsOptions {

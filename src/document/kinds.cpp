@@ -31,7 +31,7 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   diagnostics.add(Severity::Note, "CNV004",
                   fmt::format("the motion is turned so that {} points up (--up as-is leaves it)",
                               up == 1 ? 'y' : 'z'));
-  return edit::up(motion, up, diagnostics);
+  return edit::up(std::move(motion), up, diagnostics);
 }
 
 Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,

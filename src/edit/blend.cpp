@@ -9,6 +9,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -62,92 +63,159 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
   return move;
 }
 
+/// Turns a root in all frames; angles go on from those of a frame before the first.
+void turn_root(const Joint& root, const Quat& turn, std::span<const double> before, AngleUnit unit,
+               Clip& clip) {
+  const Rows rows = clip.mutate();
+  if (const auto free = free_column(root)) {
+    for (std::size_t f = 0; f < clip.num_frames; ++f) {
+      set_free_rotation(rows[f], *free, turn * free_rotation(rows[f], *free));
+    }
+    return;
+  }
+  const auto rotations = rotations_of(root);
+  RotationFitter fitter(rotations, unit, before);
+  simd::Quaternions turned;
+  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+    rotations_in_rows(rotations, clip, frames, unit, turned);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      rotation::put_quaternion(turn * rotation::quaternion_at(turned, i), i, turned);
+    }
+    fitter.fit(turned, frames, rows);
+  }
+}
+
 /// Moves a root in all frames; angles go on from those of a frame before the first.
 void move_root(const Joint& root, const GroundMove& move, std::span<const double> before,
                AngleUnit unit, Clip& clip) {
   const auto translations = translation_columns(root);
-  const auto rotations = rotations_of(root);
-  const auto free = free_column(root);
-  const bool is_turned = move.turn.vec().norm() > 0;
+  const Rows rows = clip.mutate();
+  for (std::size_t f = 0; !translations.empty() && f < clip.num_frames; ++f) {
+    const Vec3 place = position_in_row(root, translations, rows[f]);
+    fit_position(root, translations, move.turn * place + move.shift, rows[f]);
+  }
+  if (move.turn.vec().norm() == 0) return;
   const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;
-  std::vector<double> near(before.begin(), before.end());
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = clip.mutate()[f];
-    const Vec3 place = position_in_row(root, translations, row);
-    if (!translations.empty())
-      fit_position(root, translations, move.turn * place + move.shift, row);
-    if (!is_turned) continue;
-    if (free) {
-      set_free_rotation(row, *free, turn * free_rotation(row, *free));
-      continue;
+  turn_root(root, turn, before, unit, clip);
+}
+
+/// The columns that come round after a whole turn.
+std::vector<bool> angle_columns_of(const Skeleton& skeleton) {
+  std::vector<bool> is_angle(skeleton.coordinates.size(), false);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : rotations_of(joint)) is_angle[dof.coordinate] = true;
+  }
+  return is_angle;
+}
+
+/// What is faded: the rows of two clips, where the one's are those that change.
+struct Fade {
+  const Clip& from;
+  const Clip& to;
+  std::span<const double> weights;
+  AngleUnit unit;
+
+  bool is_equal(std::size_t i, std::size_t column) const {
+    return from.row(i)[column] == to.row(i)[column];
+  }
+};
+
+void fade_numbers(const Fade& fade, const std::vector<bool>& is_angle, const Rows& rows,
+                  std::size_t first) {
+  const double turn = whole_turn(fade.unit);
+  for (std::size_t i = 0; i < fade.weights.size(); ++i) {
+    const auto from = fade.from.row(i);
+    const auto to = fade.to.row(i);
+    const auto row = rows[first + i];
+    const double weight = fade.weights[i];
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const double shift = is_angle[c] ? turn * std::round((to[c] - from[c]) / turn) : 0;
+      row[c] = from[c] == to[c] ? to[c] : (1 - weight) * (from[c] + shift) + weight * to[c];
     }
-    const Mat3 turned = turn.toRotationMatrix() * rotation_in_row(rotations, row, unit);
-    if (!turned.allFinite()) continue;
-    fit_rotation(rotations, turned, unit, near);
-    for (const DegreeOfFreedom& dof : rotations) row[dof.coordinate] = near[dof.coordinate];
+  }
+}
+
+void fade_free(const Fade& fade, std::size_t column, const Rows& rows, std::size_t first) {
+  for (std::size_t i = 0; i < fade.weights.size(); ++i) {
+    const Quat blended = slerp(free_rotation(fade.from.row(i), column),
+                               free_rotation(fade.to.row(i), column), fade.weights[i]);
+    set_free_rotation(rows[first + i], column, blended);
+  }
+}
+
+/// Fades three rotations of a joint. The kernel's quaternions are the joint's own up to constant
+/// factors, which an interpolation does not see.
+void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
+                const EulerAxes& axes, const Rows& rows, std::size_t first) {
+  const std::size_t count = fade.weights.size();
+  const auto form = rotation::euler_form(axes, fade.unit == AngleUnit::Degrees);
+  simd::Angles ends;  // first those of `from`, then those of `to`
+  simd::Angles angles;
+  rotation::resize(ends, 2 * count);
+  rotation::resize(angles, count);
+  std::vector<simd::Between> places(simd::padded(count), {0, 0, 0});
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ends[k][i] = fade.from.row(i)[rotations[k].coordinate];
+      ends[k][count + i] = angles[k][i] = fade.to.row(i)[rotations[k].coordinate];
+    }
+    places[i] = {i, count + i, fade.weights[i]};
+  }
+  simd::Quaternions rotations_at_ends;
+  simd::Quaternions blended;
+  simd::quaternions_of_angles(form, ends, rotations_at_ends);
+  simd::slerp(rotations_at_ends, places, blended);
+  simd::angles_of_quaternions(form, blended, angles);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_equal =
+        std::all_of(rotations.begin(), rotations.end(),
+                    [&](const DegreeOfFreedom& dof) { return fade.is_equal(i, dof.coordinate); });
+    for (std::size_t k = 0; !is_equal && k < 3; ++k) {
+      rows[first + i][rotations[k].coordinate] = angles[k][i];
+    }
   }
 }
 
 }  // namespace
 
-Motion moved_to(const Motion& motion, std::size_t frame, const Motion& other,
-                std::size_t other_frame) {
-  Motion result = motion;
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame) {
   const Skeleton& skeleton = motion.skeleton;
   const auto roots = roots_of(skeleton);
   const auto lead = std::find_if(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
     return !translation_columns(skeleton.joints[root]).empty();
   });
-  if (lead == roots.end()) return result;
+  if (lead == roots.end()) return motion;
   const bool is_turned = std::all_of(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
     return can_turn(skeleton.joints[root]);
   });
   const auto up = static_cast<Eigen::Index>(guess_up_axis(other));
-  const GroundMove move =
-      move_between(skeleton.joints[*lead], motion.clip.row(frame), other.clip.row(other_frame), up,
-                   is_turned, skeleton.angle_unit);
+  const auto before = other.clip.row(other_frame);
+  const GroundMove move = move_between(skeleton.joints[*lead], motion.clip.row(frame), before, up,
+                                       is_turned, skeleton.angle_unit);
   for (const std::size_t root : roots) {
-    move_root(skeleton.joints[root], move, other.clip.row(other_frame), skeleton.angle_unit,
-              result.clip);
+    move_root(skeleton.joints[root], move, before, skeleton.angle_unit, motion.clip);
   }
-  return result;
+  return motion;
 }
 
-Blender::Blender(const Skeleton& skeleton)
-    : unit_(skeleton.angle_unit), is_angle_(skeleton.coordinates.size(), false) {
+void fade(const Skeleton& skeleton, const Clip& to, std::span<const double> weights,
+          std::size_t first, Clip& clip) {
+  const std::size_t width = clip.num_coordinates;
+  Clip from;  // what changes is read to the end
+  from.num_frames = weights.size();
+  from.num_coordinates = width;
+  from.values = Array<double>(
+      std::span<const double>(clip.values).subspan(first * width, weights.size() * width));
+  const Rows rows = clip.mutate();
+  const Fade fade{from, to, weights, skeleton.angle_unit};
+  fade_numbers(fade, angle_columns_of(skeleton), rows, first);
   for (const Joint& joint : skeleton.joints) {
-    auto rotations = rotations_of(joint);
-    for (const DegreeOfFreedom& dof : rotations) is_angle_[dof.coordinate] = true;
+    const auto rotations = rotations_of(joint);
     if (const auto column = free_column(joint)) {
-      turns_.push_back({{}, *column});
-    } else if (euler_axes_of(rotations)) {
-      turns_.push_back({std::move(rotations), 0});
+      fade_free(fade, *column, rows, first);
+    } else if (const auto axes = euler_axes_of(rotations)) {
+      fade_turns(fade, rotations, *axes, rows, first);
     }
-  }
-}
-
-void Blender::blend(std::span<const double> to, double weight, std::span<double> row) const {
-  const std::vector<double> from(row.begin(), row.end());
-  const double turn = whole_turn(unit_);
-  for (std::size_t c = 0; c < row.size(); ++c) {
-    const double shift = is_angle_[c] ? turn * std::round((to[c] - from[c]) / turn) : 0;
-    row[c] = from[c] == to[c] ? to[c] : (1 - weight) * (from[c] + shift) + weight * to[c];
-  }
-  for (const Turn& joint : turns_) {
-    if (joint.rotations.empty()) {
-      const Quat blended = slerp(free_rotation(from, joint.free_column),
-                                 free_rotation(to, joint.free_column), weight);
-      set_free_rotation(row, joint.free_column, blended);
-      continue;
-    }
-    const auto is_equal = [&from, &to](const DegreeOfFreedom& dof) {
-      return from[dof.coordinate] == to[dof.coordinate];
-    };
-    if (std::all_of(joint.rotations.begin(), joint.rotations.end(), is_equal)) continue;
-    const Quat blended = slerp(Quat(rotation_in_row(joint.rotations, from, unit_)),
-                               Quat(rotation_in_row(joint.rotations, to, unit_)), weight);
-    for (const DegreeOfFreedom& dof : joint.rotations) row[dof.coordinate] = to[dof.coordinate];
-    fit_rotation(joint.rotations, blended.toRotationMatrix(), unit_, row);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "kinefile/motion.hpp"
 
@@ -13,27 +12,15 @@ namespace kinefile::edit {
 /// the same point and heads the same way as in `other_frame` of another motion. It is turned only
 /// if all roots turn about three axes or move freely.
 /// \param other  of the same skeleton
-Motion moved_to(const Motion& motion, std::size_t frame, const Motion& other,
-                std::size_t other_frame);
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame);
 
-/// Fades one pose into another: three rotations of a joint as one, other values as numbers.
-class Blender {
- public:
-  explicit Blender(const Skeleton& skeleton);
-
-  /// \param to      the pose to fade into; found angles are the nearest to its angles
-  /// \param weight  0 leaves `row` as it is, 1 makes it `to`
-  void blend(std::span<const double> to, double weight, std::span<double> row) const;
-
- private:
-  struct Turn {
-    std::vector<DegreeOfFreedom> rotations;  ///< three, outermost first; none if it moves freely
-    std::size_t free_column = 0;
-  };
-
-  AngleUnit unit_;
-  std::vector<bool> is_angle_;  ///< columns that come round after a whole turn
-  std::vector<Turn> turns_;
-};
+/// Fades the poses of some frames into those of another clip: three rotations of a joint as one,
+/// other values as numbers.
+/// \param to       of the same skeleton; its first frames
+/// \param weights  a frame each; 0 leaves the pose as it is, 1 makes it that of `to`; found angles
+///                 are the nearest to those of `to`
+/// \param first    the first of the frames that change
+void fade(const Skeleton& skeleton, const Clip& to, std::span<const double> weights,
+          std::size_t first, Clip& clip);
 
 }  // namespace kinefile::edit

@@ -30,18 +30,18 @@ Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end) {
   return result;
 }
 
-Motion reverse(const Motion& motion) {
-  Motion result = motion;
-  Clip& clip = result.clip;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = motion.clip.row(clip.num_frames - 1 - f);
-    std::copy(row.begin(), row.end(), clip.mutate()[f].begin());
+Motion reverse(Motion motion) {
+  Clip& clip = motion.clip;
+  const Rows rows = clip.mutate();
+  for (std::size_t f = 0; f < clip.num_frames / 2; ++f) {
+    const auto row = rows[f];
+    std::swap_ranges(row.begin(), row.end(), rows[clip.num_frames - 1 - f].begin());
   }
-  const auto& times = motion.clip.timeline.times;
+  const auto times = clip.timeline.times;
   for (std::size_t f = 0; f < times.size(); ++f) {
     clip.timeline.times[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
   }
-  return result;
+  return motion;
 }
 
 }  // namespace kinefile::edit

@@ -42,9 +42,8 @@ struct QuarterTurn {
 Vec3 opposite(const Vec3& axis) { return Vec3::Zero() - axis; }
 
 void negate_column(Clip& clip, std::size_t column) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    clip.mutate()[f][column] = -clip.row(f)[column];
-  }
+  const Rows rows = clip.mutate();
+  for (std::size_t f = 0; f < clip.num_frames; ++f) rows[f][column] = -rows[f][column];
 }
 
 /// Turns a position and a rotation, x y z qw qx qy qz.
@@ -56,7 +55,8 @@ void turn_free_pose(const QuarterTurn& turn, double* pose) {
 }
 
 void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
-  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &clip.mutate()[f][first]);
+  const Rows rows = clip.mutate();
+  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &rows[f][first]);
 }
 
 /// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
@@ -109,33 +109,34 @@ void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers
 
 /// Holds a column at its first number that is finite.
 void hold_column(Clip& clip, std::size_t column) {
+  const Rows rows = clip.mutate();
   std::size_t first = 0;
-  while (first < clip.num_frames && !std::isfinite(clip.row(first)[column])) ++first;
+  while (first < clip.num_frames && !std::isfinite(rows[first][column])) ++first;
   for (std::size_t f = first; f < clip.num_frames; ++f) {
-    if (std::isfinite(clip.row(f)[column])) clip.mutate()[f][column] = clip.row(first)[column];
+    if (std::isfinite(rows[f][column])) rows[f][column] = rows[first][column];
   }
 }
 
 /// Brings a root that slides along oblique axes back over its first place in every frame.
 void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& translations,
                       Eigen::Index up, Clip& clip) {
+  const Rows rows = clip.mutate();
   std::optional<Vec3> start;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    Vec3 place = position_in_row(root, translations, clip.row(f));
+    Vec3 place = position_in_row(root, translations, rows[f]);
     if (!place.allFinite()) continue;
     if (!start) start = place;
     const double height = place[up];
     place = *start;
     place[up] = height;
-    fit_position(root, translations, place, clip.mutate()[f]);
+    fit_position(root, translations, place, rows[f]);
   }
 }
 
 }  // namespace
 
-Motion scale(const Motion& motion, double factor) {
-  Motion result = motion;
-  for (Joint& joint : result.skeleton.joints) {
+Motion scale(Motion motion, double factor) {
+  for (Joint& joint : motion.skeleton.joints) {
     joint.offset *= factor;
     for (Tip& tip : joint.tips) tip.offset *= factor;
     for (std::size_t k = 0; k < 3; ++k) joint.free_rest[k] *= factor;
@@ -145,31 +146,30 @@ Motion scale(const Motion& motion, double factor) {
     }
   }
   const std::vector<bool> is_scaled = length_columns(motion.skeleton);
-  for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
-    const auto row = result.clip.mutate()[f];
+  const Rows rows = motion.clip.mutate();
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const auto row = rows[f];
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (is_scaled[c]) row[c] *= factor;
     }
   }
-  return result;
+  return motion;
 }
 
-Motion up(const Motion& motion, std::size_t axis, Diagnostics& diagnostics) {
+Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
   if (guess_up_axis(motion) == axis) {
     diagnostics.add(Severity::Note, "EDT009",
                     axis == 2 ? "z points up already" : "y points up already");
     return motion;
   }
-  Motion result = motion;
   const QuarterTurn turn{axis == 2};
   const auto readers = num_readers_of_columns(motion.skeleton);
-  for (Joint& joint : result.skeleton.joints) turn_joint(turn, readers, joint, result);
-  return result;
+  for (Joint& joint : motion.skeleton.joints) turn_joint(turn, readers, joint, motion);
+  return motion;
 }
 
-Motion in_place(const Motion& motion) {
+Motion in_place(Motion motion) {
   constexpr double kStraight = 1e-12;
-  Motion result = motion;
   const auto up = static_cast<Eigen::Index>(guess_up_axis(motion));
   for (const Joint& joint : motion.skeleton.joints) {
     if (joint.parent != kNoParent) continue;
@@ -181,14 +181,14 @@ Motion in_place(const Motion& motion) {
       return is_level(s) || std::abs(std::abs(s.axis[up]) - 1) < kStraight;
     };
     if (!std::all_of(translations.begin(), translations.end(), is_straight)) {
-      hold_over_ground(joint, translations, up, result.clip);
+      hold_over_ground(joint, translations, up, motion.clip);
       continue;
     }
     for (const TranslationColumn& translation : translations) {
-      if (is_level(translation)) hold_column(result.clip, translation.column);
+      if (is_level(translation)) hold_column(motion.clip, translation.column);
     }
   }
-  return result;
+  return motion;
 }
 
 }  // namespace kinefile::edit

@@ -127,11 +127,12 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
   const std::size_t overlap = first.clip.num_frames - num_blend_frames;
   const Motion moved =
       moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2);
-  const Blender blender(first.skeleton);
+  std::vector<double> weights;
   for (std::size_t i = 0; i < num_blend_frames; ++i) {
     const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
-    blender.blend(moved.clip.row(i), u * u * (3 - 2 * u), first.clip.mutate()[overlap + i]);
+    weights.push_back(u * u * (3 - 2 * u));
   }
+  fade(first.skeleton, moved.clip, weights, overlap, first.clip);
   append_rows(first.clip, moved.clip, num_blend_frames);
   // Both may hold the same rotation in angles that are whole turns apart.
   unwrap_from(first, overlap);
@@ -139,16 +140,15 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
 
 }  // namespace
 
-Result<Motion> append(const Motion& first, const Motion& second, std::size_t num_blend_frames) {
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames) {
   if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
     return fail(cannot_join("the motion would have more than 2^30 values"));
   }
-  Motion result = first;
-  append_to(result, second, num_blend_frames);
-  return result;
+  append_to(first, second, num_blend_frames);
+  return first;
 }
 
 Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {

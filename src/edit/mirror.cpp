@@ -15,6 +15,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -176,12 +177,6 @@ bool is_position_lost(const Joint& source, const Joint& target) {
              dofs_of_kind(target, DofKind::TailScale).size();
 }
 
-/// The rotation that the degrees of freedom of a joint make.
-Mat3 rotation_of_joint(const Joint& joint, std::span<const double> row, AngleUnit unit) {
-  if (const auto column = free_column(joint)) return free_rotation(row, *column).toRotationMatrix();
-  return rotation_in_row(rotations_of(joint), row, unit);
-}
-
 /// Mirrors the quaternion of a free joint by its numbers, which keep their bits.
 void mirror_free(const JointPlan& plan, std::size_t from, std::size_t to,
                  std::span<const double> row, std::span<double> result) {
@@ -191,67 +186,76 @@ void mirror_free(const JointPlan& plan, std::size_t from, std::size_t to,
   std::copy(new_vec.begin(), new_vec.end(), result.begin() + static_cast<std::ptrdiff_t>(to + 4));
 }
 
-/// Finds the angles of a joint in all frames. \returns the largest angle that is left, in radians
-double find_rotations(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
+/// The quaternions of a joint that moves freely, normalised.
+void free_rotations_in_rows(const Clip& clip, const FrameRange& frames, std::size_t column,
+                            simd::Quaternions& out) {
+  rotation::resize(out, frames.count);
+  for (std::size_t i = 0; i < frames.count; ++i) {
+    rotation::put_quaternion(free_rotation(clip.row(frames.first + i), column), i, out);
+  }
+}
+
+/// Finds the rotation of a joint in all frames. \returns the largest residual angle, in radians
+double find_rotations(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
+  const Clip& clip = context.motion.clip;
   const Skeleton& skeleton = context.motion.skeleton;
   const Joint& source = skeleton.joints[plan.source];
   const Joint& target = skeleton.joints[plan.target];
   const auto from = free_column(source);
   const auto to = free_column(target);
-  const auto rotations = rotations_of(target);
-  std::vector<double> near = rest_coordinates(skeleton);
-  double left = 0;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = context.motion.clip.row(f);
-    if (from && to) {
-      mirror_free(plan, *from, *to, row, clip.mutate()[f]);
-      continue;
+  if (from && to) {
+    for (std::size_t f = 0; f < clip.num_frames; ++f) {
+      mirror_free(plan, *from, *to, clip.row(f), rows[f]);
     }
-    const Mat3 rotation =
-        plan.frame.transpose() * rotation_of_joint(source, row, skeleton.angle_unit) * plan.frame;
-    std::vector<double> found = near;
-    if (to) {
-      set_free_rotation(found, *to, Quat(rotation));
-    } else {
-      left = std::max(left, fit_rotation(rotations, rotation, skeleton.angle_unit, found));
-    }
-    if (rotation.allFinite()) near = found;
-    for (std::size_t k = 0; to && k < 4; ++k) clip.mutate()[f][*to + 3 + k] = found[*to + 3 + k];
-    for (const DegreeOfFreedom& dof : rotations) {
-      clip.mutate()[f][dof.coordinate] =
-          rotation.allFinite() ? found[dof.coordinate] : std::numeric_limits<double>::quiet_NaN();
-    }
+    return 0;
   }
-  return left;
+  const auto rotations = rotations_of(source);
+  RotationFitter fitter(rotations_of(target), skeleton.angle_unit, rest_coordinates(skeleton));
+  simd::Quaternions found;
+  double residual = 0;
+  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+    if (from) {
+      free_rotations_in_rows(clip, frames, *from, found);
+    } else {
+      rotations_in_rows(rotations, clip, frames, skeleton.angle_unit, found);
+    }
+    rotation::turn_axes(-plan.frame.transpose(), found);
+    for (std::size_t i = 0; to && i < frames.count; ++i) {
+      set_free_rotation(rows[frames.first + i], *to, rotation::quaternion_at(found, i));
+    }
+    if (!to) residual = std::max(residual, fitter.fit(found, frames, rows));
+  }
+  return residual;
 }
 
-/// Finds the position of a joint in all frames. \returns the largest distance that is left
-double find_positions(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
+/// Finds the position of a joint in all frames. \returns the largest residual distance
+double find_positions(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
   const auto from = translation_columns(source);
   const auto to = translation_columns(target);
   if (to.empty()) return 0;
-  double left = 0;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+  double residual = 0;
+  for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
     const Vec3 place = position_in_row(source, from, context.motion.clip.row(f));
-    left = std::max(left, fit_position(target, to, reflect(plan.parent, place), clip.mutate()[f]));
+    residual = std::max(residual, fit_position(target, to, reflect(plan.parent, place), rows[f]));
   }
-  return left;
+  return residual;
 }
 
-Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, Clip& clip) {
+Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
+  const Clip& clip = context.motion.clip;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     for (const Copy& copy : plan.copies) {
-      const double value = context.motion.clip.row(f)[copy.from];
-      clip.mutate()[f][copy.to] = copy.sign < 0 ? -value : value;
+      const double value = clip.row(f)[copy.from];
+      rows[f][copy.to] = copy.sign < 0 ? -value : value;
     }
   }
   // Both are found, whatever comes of the other.
-  const double distance = plan.is_position_found ? find_positions(context, plan, clip) : 0;
-  const double angle = plan.is_rotation_found ? find_rotations(context, plan, clip) : 0;
+  const double distance = plan.is_position_found ? find_positions(context, plan, rows) : 0;
+  const double angle = plan.is_rotation_found ? find_rotations(context, plan, rows) : 0;
   const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
   if (!is_out_of_reach && !is_position_lost(source, target)) return {};
   return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
@@ -278,6 +282,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
                              "xyz"[axis], "xyz"[guess_mirror_axis(skeleton)]));
     if (!complained) return fail(std::move(complained.error()));
   }
+  const Rows rows = result.clip.mutate();
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (skeleton.joints[j].dofs.empty() &&
         (pairs[j] == kNoParent || skeleton.joints[pairs[j]].dofs.empty())) {
@@ -291,7 +296,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
       if (!complained) return fail(std::move(complained.error()));
     }
     const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
-    auto done = mirror_joint(context, plan_joint(context, j, target, mirror), result.clip);
+    auto done = mirror_joint(context, plan_joint(context, j, target, mirror), rows);
     if (!done) return fail(std::move(done.error()));
   }
   return result;

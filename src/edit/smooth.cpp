@@ -4,15 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <span>
 #include <utility>
 
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::edit {
 namespace {
+
+/// Columns are filtered so many at a time: one alone would wait for every number's predecessor.
+constexpr std::size_t kLanes = 4;
+using Lanes = std::array<double, kLanes>;
 
 /// A Butterworth filter of second order, run in both directions.
 class Filter {
@@ -30,59 +35,80 @@ class Filter {
     padding_ = periods < 1e9 ? static_cast<std::size_t>(periods) + 9 : kMostPadding;
   }
 
-  /// Filters numbers in place. They are continued at both ends by their odd reflections.
-  void run(std::vector<double>& numbers) const {
-    const std::size_t count = numbers.size();
+  /// Filters columns in place. They are continued at both ends by their odd reflections. A column
+  /// whose numbers are all the same keeps every bit.
+  void run(std::vector<Lanes>& rows) const {
+    const std::size_t count = rows.size();
     if (count < 2) return;
-    const bool is_still =
-        std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
-    if (is_still) return;
+    const Lanes is_moving = moving_lanes(rows);
     const std::size_t padding = std::min({padding_, count - 1, kMostPadding});
     // About the straight line between the ends, which the filter keeps: so it starts at rest, and
     // what is slower than the motion is long comes out as that line.
-    const double origin = numbers.front();
-    const double slope = (numbers.back() - origin) / static_cast<double>(count - 1);
-    const auto line_at = [&](std::size_t i) { return origin + slope * static_cast<double>(i); };
-    std::vector<double> padded(count + 2 * padding);
-    for (std::size_t i = 0; i < count; ++i) padded[padding + i] = numbers[i] - line_at(i);
-    padded[padding + count - 1] = 0;
-    for (std::size_t i = 1; i <= padding; ++i) {
-      padded[padding - i] = -padded[padding + i];
-      padded[padding + count - 1 + i] = -padded[padding + count - 1 - i];
+    const Lanes origin = rows.front();
+    Lanes slope;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      slope[k] = (rows.back()[k] - origin[k]) / static_cast<double>(count - 1);
     }
-    run_forwards(padded);
-    std::reverse(padded.begin(), padded.end());
-    run_forwards(padded);
-    std::reverse(padded.begin(), padded.end());
-    for (std::size_t i = 0; i < count; ++i) numbers[i] = line_at(i) + padded[padding + i];
+    std::vector<Lanes> padded(count + 2 * padding);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        padded[padding + i][k] = rows[i][k] - (origin[k] + slope[k] * static_cast<double>(i));
+      }
+    }
+    padded[padding + count - 1] = {};
+    for (std::size_t i = 1; i <= padding; ++i) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        padded[padding - i][k] = -padded[padding + i][k];
+        padded[padding + count - 1 + i][k] = -padded[padding + count - 1 - i][k];
+      }
+    }
+    run_one_way(padded.begin(), padded.end());
+    run_one_way(padded.rbegin(), padded.rend());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const double line = origin[k] + slope[k] * static_cast<double>(i);
+        if (is_moving[k] != 0) rows[i][k] = line + padded[padding + i][k];
+      }
+    }
   }
 
  private:
   static constexpr std::size_t kMostPadding = 1'000'000;
 
+  /// 1 for columns in which a number differs from the one before, else 0.
+  static Lanes moving_lanes(const std::vector<Lanes>& rows) {
+    Lanes is_moving{};
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        if (rows[i][k] != rows[i - 1][k]) is_moving[k] = 1;
+      }
+    }
+    return is_moving;
+  }
+
   /// One pass (transposed direct form), from the state in which the first number has always been.
-  void run_forwards(std::vector<double>& numbers) const {
-    const double start = numbers.front();
-    double z1 = (1 - b0_) * start;
-    double z2 = (b0_ - a2_) * start;
-    for (double& number : numbers) {
-      const double in = number;
-      number = b0_ * in + z1;
-      z1 = 2 * b0_ * in - a1_ * number + z2;
-      z2 = b0_ * in - a2_ * number;
+  template <class Iterator>
+  void run_one_way(Iterator begin, Iterator end) const {
+    Lanes z1;
+    Lanes z2;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      z1[k] = (1 - b0_) * (*begin)[k];
+      z2[k] = (b0_ - a2_) * (*begin)[k];
+    }
+    for (Iterator row = begin; row != end; ++row) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const double in = (*row)[k];
+        const double out = b0_ * in + z1[k];
+        z1[k] = 2 * b0_ * in - a1_ * out + z2[k];
+        z2[k] = b0_ * in - a2_ * out;
+        (*row)[k] = out;
+      }
     }
   }
 
   double b0_, a1_, a2_;  ///< b = b0 (1, 2, 1), a = (1, a1, a2)
   std::size_t padding_;
 };
-
-std::vector<double> column_of(const Clip& clip, std::size_t column) {
-  std::vector<double> numbers;
-  numbers.reserve(clip.num_frames);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) numbers.push_back(clip.row(f)[column]);
-  return numbers;
-}
 
 /// Whether some columns have the same value in every frame.
 bool is_constant(const Clip& clip, const std::vector<std::size_t>& columns) {
@@ -92,64 +118,107 @@ bool is_constant(const Clip& clip, const std::vector<std::size_t>& columns) {
          });
 }
 
-void smooth_column(const Filter& filter, std::size_t column, Clip& clip) {
-  std::vector<double> numbers = column_of(clip, column);
-  filter.run(numbers);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) clip.mutate()[f][column] = numbers[f];
+/// A column that is smoothed by itself.
+struct Column {
+  std::size_t index = 0;
+  double turn = 0;  ///< of an angle: after how much it comes round; 0 for other numbers
+};
+
+/// What is added to the numbers of a column so that they do not jump by whole turns.
+void take_turns_out(double turn, std::size_t lane, std::vector<Lanes>& rows,
+                    std::vector<Lanes>& shifts) {
+  for (std::size_t f = 1; f < rows.size(); ++f) {
+    shifts[f][lane] = turn * std::round((rows[f - 1][lane] - rows[f][lane]) / turn);
+    rows[f][lane] += shifts[f][lane];
+  }
 }
 
-/// Smooths angles as if they did not jump by whole turns; where they did, they still do.
-void smooth_angle(const Filter& filter, std::size_t column, double turn, Clip& clip) {
-  std::vector<double> numbers = column_of(clip, column);
-  std::vector<double> shifts(numbers.size(), 0.0);
-  for (std::size_t f = 1; f < numbers.size(); ++f) {
-    shifts[f] = turn * std::round((numbers[f - 1] - numbers[f]) / turn);
-    numbers[f] += shifts[f];
+/// Smooths up to `kLanes` columns, angles as if they did not jump by whole turns; where they did,
+/// they still do.
+void smooth_columns(const Filter& filter, std::span<const Column> columns, Clip& clip) {
+  std::vector<Lanes> numbers(clip.num_frames);
+  std::vector<Lanes> shifts(clip.num_frames);
+  const Rows rows = clip.mutate();
+  for (std::size_t f = 0; f < numbers.size(); ++f) {
+    for (std::size_t k = 0; k < columns.size(); ++k) numbers[f][k] = rows[f][columns[k].index];
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].turn > 0) take_turns_out(columns[k].turn, k, numbers, shifts);
   }
   filter.run(numbers);
-  for (std::size_t f = 0; f < clip.num_frames; ++f)
-    clip.mutate()[f][column] = numbers[f] - shifts[f];
+  for (std::size_t f = 0; f < numbers.size(); ++f) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      rows[f][columns[k].index] = numbers[f][k] - shifts[f][k];
+    }
+  }
 }
 
 /// Smooths rotations by the components of their quaternions, each on the side of the one before.
-void smooth_rotations(const Filter& filter, std::vector<Quat>& rotations) {
-  for (std::size_t f = 1; f < rotations.size(); ++f) {
-    rotations[f] = on_side_of(rotations[f], rotations[f - 1]);
+/// They are not normalised, but for those without a direction, which stay as they were.
+void smooth_rotations(const Filter& filter, std::vector<Lanes>& quaternions) {
+  const auto dot = [](const Lanes& a, const Lanes& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  };
+  for (std::size_t f = 1; f < quaternions.size(); ++f) {
+    if (dot(quaternions[f], quaternions[f - 1]) >= 0) continue;
+    for (double& component : quaternions[f]) component = -component;
   }
-  std::vector<Quat> smooth = rotations;
-  for (Eigen::Index k = 0; k < 4; ++k) {
-    std::vector<double> component;
-    for (const Quat& rotation : rotations) component.push_back(rotation.coeffs()[k]);
-    filter.run(component);
-    for (std::size_t f = 0; f < smooth.size(); ++f) smooth[f].coeffs()[k] = component[f];
-  }
+  std::vector<Lanes> smooth = quaternions;
+  filter.run(smooth);
   constexpr double kNoDirection = 1e-6;
   for (std::size_t f = 0; f < smooth.size(); ++f) {
-    if (smooth[f].norm() > kNoDirection) rotations[f] = smooth[f].normalized();
+    if (dot(smooth[f], smooth[f]) > kNoDirection * kNoDirection) quaternions[f] = smooth[f];
   }
 }
 
-/// Smooths the three rotations of a joint.
-void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs, AngleUnit unit,
-                  Clip& clip) {
-  std::vector<Quat> rotations;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    rotations.emplace_back(rotation_in_row(dofs, clip.row(f), unit));
+/// Smooths the three rotations of a joint. The kernel's quaternions are the joint's own up to
+/// constant factors, and the filter of a product is the product of the filter.
+void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs,
+                  const simd::EulerForm& form, Clip& clip) {
+  simd::Angles angles;
+  simd::Quaternions rotations;
+  std::vector<Lanes> quaternions(clip.num_frames);
+  const Rows rows = clip.mutate();
+  const auto load = [&](const FrameRange& frames) {
+    rotation::resize(angles, frames.count);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const auto row = rows[frames.first + i];
+      for (std::size_t k = 0; k < 3; ++k) angles[k][i] = row[dofs[k].coordinate];
+    }
+  };
+  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+    load(frames);
+    simd::quaternions_of_angles(form, angles, rotations);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) quaternions[frames.first + i][k] = rotations[k][i];
+    }
   }
-  smooth_rotations(filter, rotations);
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    fit_rotation(dofs, rotations[f].toRotationMatrix(), unit, clip.mutate()[f]);
+  smooth_rotations(filter, quaternions);
+  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+    load(frames);
+    rotation::resize(rotations, frames.count);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) rotations[k][i] = quaternions[frames.first + i][k];
+    }
+    simd::angles_of_quaternions(form, rotations, angles);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const auto row = rows[frames.first + i];
+      for (std::size_t k = 0; k < 3; ++k) row[dofs[k].coordinate] = angles[k][i];
+    }
   }
 }
 
 void smooth_free(const Filter& filter, std::size_t column, Clip& clip) {
-  std::vector<Quat> rotations;
+  std::vector<Lanes> quaternions;
+  const Rows rows = clip.mutate();
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    rotations.push_back(free_rotation(clip.row(f), column));
+    const Quat q = free_rotation(rows[f], column);
+    quaternions.push_back({q.w(), q.x(), q.y(), q.z()});
   }
-  smooth_rotations(filter, rotations);
+  smooth_rotations(filter, quaternions);
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    set_free_rotation(clip.mutate()[f], column, rotations[f]);
+    const Lanes& q = quaternions[f];
+    set_free_rotation(rows[f], column, Quat(q[0], q[1], q[2], q[3]).normalized());
   }
 }
 
@@ -171,7 +240,8 @@ void smooth_joint(const Filter& filter, const Joint& joint, AngleUnit unit, std:
   const auto rotations = rotations_of(joint);
   const auto free = free_column(joint);
   if (free) columns = {*free + 3, *free + 4, *free + 5, *free + 6};
-  if (euler_axes_of(rotations)) {
+  const auto axes = euler_axes_of(rotations);
+  if (axes) {
     for (const DegreeOfFreedom& dof : rotations) columns.push_back(dof.coordinate);
   }
   for (const std::size_t column : columns) kinds[column] = As::Done;
@@ -179,15 +249,18 @@ void smooth_joint(const Filter& filter, const Joint& joint, AngleUnit unit, std:
   if (free) {
     smooth_free(filter, *free, clip);
   } else {
-    smooth_euler(filter, rotations, unit, clip);
+    const auto form = rotation::euler_form(*axes, unit == AngleUnit::Degrees);
+    smooth_euler(filter, rotations, form, clip);
   }
 }
 
 std::optional<Error> find_not_finite(const Motion& motion) {
   const Clip& clip = motion.clip;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const auto row = clip.row(f);
+    if (all_finite(row)) continue;
     for (std::size_t c = 0; c < clip.num_coordinates; ++c) {
-      if (std::isfinite(clip.row(f)[c])) continue;
+      if (std::isfinite(row[c])) continue;
       const Coordinate& column = motion.skeleton.coordinates[c];
       return make_error(ErrorKind::InvalidInput, "EDT008",
                         fmt::format("{} of joint '{}' is not finite in frame {}", column.channel,
@@ -199,7 +272,7 @@ std::optional<Error> find_not_finite(const Motion& motion) {
 
 }  // namespace
 
-Result<Motion> smooth(const Motion& motion, double cutoff_hz) {
+Result<Motion> smooth(Motion motion, double cutoff_hz) {
   const double rate = frame_rate(motion.clip.timeline);
   if (!(cutoff_hz > 0 && cutoff_hz < rate / 2)) {
     return fail(make_error(ErrorKind::Usage, "EDT007",
@@ -210,18 +283,20 @@ Result<Motion> smooth(const Motion& motion, double cutoff_hz) {
   if (auto error = find_not_finite(motion)) return fail(std::move(*error));
   const Filter filter(cutoff_hz, rate);
   const Skeleton& skeleton = motion.skeleton;
-  Motion result = motion;
   std::vector<As> kinds = kinds_of_columns(skeleton);
   for (const Joint& joint : skeleton.joints) {
-    smooth_joint(filter, joint, skeleton.angle_unit, kinds, result.clip);
+    smooth_joint(filter, joint, skeleton.angle_unit, kinds, motion.clip);
   }
+  std::vector<Column> columns;
   for (std::size_t c = 0; c < kinds.size(); ++c) {
-    if (kinds[c] == As::Number) smooth_column(filter, c, result.clip);
-    if (kinds[c] == As::Angle) {
-      smooth_angle(filter, c, whole_turn(skeleton.angle_unit), result.clip);
-    }
+    if (kinds[c] == As::Number) columns.push_back({c, 0});
+    if (kinds[c] == As::Angle) columns.push_back({c, whole_turn(skeleton.angle_unit)});
   }
-  return result;
+  for (std::size_t c = 0; c < columns.size(); c += kLanes) {
+    const std::span<const Column> all = columns;
+    smooth_columns(filter, all.subspan(c, std::min(kLanes, all.size() - c)), motion.clip);
+  }
+  return motion;
 }
 
 }  // namespace kinefile::edit

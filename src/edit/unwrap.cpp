@@ -8,21 +8,17 @@
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "math/turns.hpp"
 
 namespace kinefile::edit {
 namespace {
 
-/// An angle moved by whole turns to within half a turn of another; itself, bit for bit, if it is.
-double nearest_turn(double angle, double near, double turn) {
-  const double turns = std::round((near - angle) / turn);
-  return turns == 0 ? angle : angle + turn * turns;
-}
-
 /// Takes the jumps by whole turns out of a column.
 void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double turn) {
+  const Rows rows = clip.mutate();
   std::optional<double> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    double& angle = clip.mutate()[f][column];
+    double& angle = rows[f][column];
     if (!std::isfinite(angle)) continue;
     if (before) angle = nearest_turn(angle, *before, turn);
     before = angle;
@@ -39,15 +35,11 @@ struct Triple {
   }
 };
 
-Vec3 nearest_turns(const Vec3& angles, const Vec3& near, double turn) {
-  return {nearest_turn(angles[0], near[0], turn), nearest_turn(angles[1], near[1], turn),
-          nearest_turn(angles[2], near[2], turn)};
-}
-
 void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double turn) {
+  const Rows rows = clip.mutate();
   std::optional<Vec3> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    const Vec3 angles = triple.in_row(clip.row(f));
+    const Vec3 angles = triple.in_row(rows[f]);
     if (!angles.allFinite()) continue;
     Vec3 best = angles;
     if (before) {
@@ -61,7 +53,7 @@ void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double t
       if (step > turn / 4 && (twin - *before).cwiseAbs().maxCoeff() < step) best = twin;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      clip.mutate()[f][triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
+      rows[f][triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
     }
     before = best;
   }
@@ -99,9 +91,10 @@ std::vector<bool> angle_columns(const Skeleton& skeleton) {
 
 /// Gives a joint's quaternions the signs by which they change least.
 void unwrap_free(Clip& clip, std::size_t begin, std::size_t first) {
+  const Rows rows = clip.mutate();
   std::optional<Eigen::Vector4d> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    Eigen::Map<Eigen::Vector4d> quaternion(&clip.mutate()[f][first + 3]);
+    Eigen::Map<Eigen::Vector4d> quaternion(&rows[f][first + 3]);
     if (!quaternion.allFinite()) continue;
     if (before && quaternion.dot(*before) < 0) quaternion = -quaternion;
     before = quaternion;
@@ -127,10 +120,9 @@ void unwrap_from(Motion& motion, std::size_t first_frame) {
   }
 }
 
-Motion unwrap(const Motion& motion) {
-  Motion result = motion;
-  unwrap_from(result, 0);
-  return result;
+Motion unwrap(Motion motion) {
+  unwrap_from(motion, 0);
+  return motion;
 }
 
 }  // namespace kinefile::edit

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "kinefile/joint_rotation.hpp"
+#include "rotation/rotations.hpp"
 
 namespace kinefile::retime {
 namespace {
@@ -40,7 +41,7 @@ void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_
   }
   plan.turning_joints.push_back(
       {{rotations[0].coordinate, rotations[1].coordinate, rotations[2].coordinate},
-       euler_form(*axes, unit)});
+       rotation::euler_form(*axes, unit == AngleUnit::Degrees)});
 }
 
 void plan_free_rotation(const Joint& joint, const DegreeOfFreedom& dof,
@@ -71,15 +72,6 @@ std::vector<std::size_t> other_columns(const InterpolationPlan& plan, std::size_
 }
 
 }  // namespace
-
-simd::EulerForm euler_form(const EulerAxes& axes, AngleUnit unit) {
-  const double along_first = axes[2].dot(axes[0]);
-  const bool is_proper = std::abs(along_first) > 0.5;
-  const double along = is_proper ? along_first : axes[2].dot(axes[0].cross(axes[1]));
-  const bool is_in_degrees = unit == AngleUnit::Degrees;
-  const double right_angle = is_in_degrees ? 90 : std::numbers::pi / 2;
-  return {along < 0 ? -1.0 : 1.0, is_proper ? 0 : right_angle, is_in_degrees};
-}
 
 InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpolation rotation,
                                      Diagnostics& diagnostics) {

@@ -33,7 +33,4 @@ struct InterpolationPlan {
 InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpolation rotation,
                                      Diagnostics& diagnostics);
 
-/// The axes of a joint, as far as the kernel must know them.
-simd::EulerForm euler_form(const EulerAxes& axes, AngleUnit unit);
-
 }  // namespace kinefile::retime

@@ -7,8 +7,14 @@
 #include <algorithm>
 #include <span>
 
+#include "rotation/rotations.hpp"
+
 namespace kinefile::retime {
 namespace {
+
+using rotation::put_quaternion;
+using rotation::quaternion_at;
+using rotation::resize;
 
 constexpr std::size_t kStepsPerBatch = 256;
 
@@ -69,17 +75,6 @@ Batch make_batch(std::vector<Step> steps, std::size_t num_old_frames, bool is_cu
   return batch;
 }
 
-Quat quaternion_at(const simd::Quaternions& q, std::size_t i) {
-  return {q[0][i], q[1][i], q[2][i], q[3][i]};
-}
-
-void put_quaternion(const Quat& value, std::size_t i, simd::Quaternions& q) {
-  q[0][i] = value.w();
-  q[1][i] = value.x();
-  q[2][i] = value.y();
-  q[3][i] = value.z();
-}
-
 /// The mean of rotations that are close together: of their quaternions on one side.
 Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::size_t from) {
   const Quat side = quaternion_at(old, from);
@@ -116,11 +111,6 @@ void interpolate(const Batch& batch, RotationInterpolation rotation, Workspace& 
   }
 }
 
-template <std::size_t kSize>
-void resize(simd::Components<kSize>& components, std::size_t count) {
-  for (auto& component : components) component.resize(simd::padded(count));
-}
-
 void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& joint,
                 RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
   resize(work.old_angles, batch.old_frames.size());
@@ -136,8 +126,9 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
     for (std::size_t k = 0; k < 3; ++k) work.new_angles[k][i] = row[joint.columns[k]];
   }
   simd::angles_of_quaternions(joint.form, work.new_rotations, work.new_angles);
+  const Rows rows = new_clip.mutate();
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    const auto row = new_clip.mutate()[batch.steps[i].new_frame];
+    const auto row = rows[batch.steps[i].new_frame];
     for (std::size_t k = 0; k < 3; ++k) row[joint.columns[k]] = work.new_angles[k][i];
   }
 }
@@ -152,8 +143,9 @@ void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& f
     put_quaternion(Quat(Quat::Coefficients(given.coeffs() / given.norm())), i, work.old_rotations);
   }
   interpolate(batch, rotation, work);
+  const Rows rows = new_clip.mutate();
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    double* q = &new_clip.mutate()[batch.steps[i].new_frame][free.first_column];
+    double* q = &rows[batch.steps[i].new_frame][free.first_column];
     const Quat result = on_side_of(quaternion_at(work.new_rotations, i).normalized(),
                                    quaternion_at(work.old_rotations, batch.places[i].from));
     q[0] = result.w();

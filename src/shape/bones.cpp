@@ -224,11 +224,12 @@ void fill_values(Builder& builder) {
   clip.num_frames = old.num_frames;
   clip.num_coordinates = builder.columns.size();
   clip.values.resize(clip.num_frames * clip.num_coordinates);
+  const Rows rows = clip.mutate();
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     for (std::size_t c = 0; c < builder.columns.size(); ++c) {
       const NewColumn& column = builder.columns[c];
       const double value = old.row(f)[column.old_column];
-      clip.mutate()[f][c] = column.minus == 0 ? value : value - column.minus;
+      rows[f][c] = column.minus == 0 ? value : value - column.minus;
     }
   }
 }

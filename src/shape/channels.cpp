@@ -6,6 +6,7 @@
 
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::shape {
 namespace {
@@ -41,7 +42,7 @@ struct JointChange {
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
   std::vector<DegreeOfFreedom> old_translations;  ///< where there are new positions
-  EulerAxes axes;
+  EulerAxes axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };
 
 struct Context {
@@ -269,33 +270,43 @@ Vec3 position_in_row(const JointChange& change, Vec3 base, std::span<const doubl
   return base;
 }
 
-void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
-                  std::size_t first_column, Clip& out) {
-  const AngleUnit unit = source.skeleton.angle_unit;
-  Vec3 angles = Vec3::Zero();
-  Vec3 near = angles;  // the last that were finite
-  // What the joint's offset gave up to its positions.
-  const Joint& joint = source.skeleton.joints[joint_index];
-  const Vec3 base = joint.rest_rotation.conjugate() * (joint.offset - change.offset);
-  for (std::size_t f = 0; f < source.clip.num_frames; ++f) {
-    const auto row = source.clip.row(f);
-    if (change.has_new_angles) {
-      if (angles.allFinite()) near = angles;
-      angles = euler_angles(rotation_in_row(change.old_rotations, row, unit), change.axes, near);
-    }
+/// Fills a joint's columns of some frames.
+/// \param angles  the joint's new angles, if it has any
+void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
+               std::size_t first_column, const FrameRange& frames, const simd::Angles& angles,
+               const Rows& out) {
+  for (std::size_t i = 0; i < frames.count; ++i) {
+    const auto row = source.row(frames.first + i);
+    const auto columns = out[frames.first + i].subspan(first_column);
     const Vec3 position = position_in_row(change, base, row);
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const ColumnSource& column = change.columns[c];
-      double& value = out.mutate()[f][first_column + c];
+      double& value = columns[c];
       if (column.from == ColumnSource::From::Column) value = row[column.column];
       if (column.from == ColumnSource::From::Constant) value = column.constant;
-      if (column.from == ColumnSource::From::Angle) {
-        value = angles[static_cast<Eigen::Index>(column.component)] / radians_per(unit);
-      }
+      if (column.from == ColumnSource::From::Angle) value = angles[column.component][i];
       if (column.from == ColumnSource::From::Position) {
         value = position[static_cast<Eigen::Index>(column.component)];
       }
     }
+  }
+}
+
+void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
+                  std::size_t first_column, const Rows& out) {
+  const AngleUnit unit = source.skeleton.angle_unit;
+  // What the joint's offset gave up to its positions.
+  const Joint& joint = source.skeleton.joints[joint_index];
+  const Vec3 base = joint.rest_rotation.conjugate() * (joint.offset - change.offset);
+  rotation::AngleFinder finder(change.axes, unit == AngleUnit::Degrees, Vec3::Zero());
+  simd::Quaternions rotations;
+  simd::Angles angles;
+  for (const FrameRange& frames : batches_of(source.clip.num_frames)) {
+    if (change.has_new_angles) {
+      rotations_in_rows(change.old_rotations, source.clip, frames, unit, rotations);
+      finder.find(rotations, frames.count, angles);
+    }
+    fill_rows(source.clip, change, base, first_column, frames, angles, out);
   }
 }
 
@@ -361,8 +372,9 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
   result.clip.num_frames = motion.clip.num_frames;
   result.clip.num_coordinates = result.skeleton.coordinates.size();
   result.clip.values.resize(result.clip.num_frames * result.clip.num_coordinates);
+  const Rows rows = result.clip.mutate();
   for (std::size_t j = 0; j < changes.size(); ++j) {
-    fill_columns(motion, j, changes[j], first_columns[j], result.clip);
+    fill_columns(motion, j, changes[j], first_columns[j], rows);
   }
   return result;
 }

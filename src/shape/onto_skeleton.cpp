@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::shape {
 namespace {
@@ -76,31 +77,23 @@ double fit_movement(const Joint& joint, const Vec3& movement, std::span<double> 
   return left.norm();
 }
 
-/// Moves one matched joint, frame by frame.
+/// Moves one matched joint.
 Residue move_joint(const Motion& from, const Match& match, double scale, Motion& result) {
   const Joint& source = from.skeleton.joints[match.from];
   const Joint& target = result.skeleton.joints[match.to];
-  const auto source_rotations = rotations_of(source);
-  const auto target_rotations = rotations_of(target);
+  const Rows rows = result.clip.mutate();
   Residue residue;
   for (std::size_t f = 0; f < from.clip.num_frames; ++f) {
-    const auto row = result.clip.mutate()[f];
-    if (f > 0) {  // near the frame before
-      const auto before = result.clip.row(f - 1);
-      for (const DegreeOfFreedom& dof : target_rotations) {
-        if (std::isfinite(before[dof.coordinate])) row[dof.coordinate] = before[dof.coordinate];
-      }
-    }
     const Vec3 movement = scale * movement_in_row(source, from.clip.row(f));
-    residue.distance = std::max(residue.distance, fit_movement(target, movement, row));
-    const Mat3 rotation =
-        rotation_in_row(source_rotations, from.clip.row(f), from.skeleton.angle_unit);
-    if (!rotation.allFinite()) {
-      for (const DegreeOfFreedom& dof : target_rotations) row[dof.coordinate] = std::nan("");
-      continue;
-    }
-    residue.angle = std::max(
-        residue.angle, fit_rotation(target_rotations, rotation, result.skeleton.angle_unit, row));
+    residue.distance = std::max(residue.distance, fit_movement(target, movement, rows[f]));
+  }
+  const auto rotations = rotations_of(source);
+  RotationFitter fitter(rotations_of(target), result.skeleton.angle_unit,
+                        rest_coordinates(result.skeleton));
+  simd::Quaternions found;
+  for (const FrameRange& frames : batches_of(from.clip.num_frames)) {
+    rotations_in_rows(rotations, from.clip, frames, from.skeleton.angle_unit, found);
+    residue.angle = std::max(residue.angle, fitter.fit(found, frames, rows));
   }
   return residue;
 }

@@ -100,6 +100,20 @@ HWY_INLINE void half_angles(const EulerForm& form, const QuaternionRows& q, cons
   }
 }
 
+void half_angles_of_block(const EulerForm& form, const Quaternions& quaternions, std::size_t first,
+                          Angles& halves) {
+  QuaternionRows q;
+  const HalfAngles nothing_near{};
+  HalfAngles found;
+  load(quaternions, first, q);
+  half_angles(form, q, nothing_near, found);
+  const std::array<const Row*, 3> rows = {&found.plus, &found.minus, &found.middle};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double* HWY_RESTRICT out = halves[k].data() + first;
+    for (std::size_t i = 0; i < kBlock; ++i) out[i] = rows[k]->v[i];
+  }
+}
+
 /// Two triples of angles that make the same rotation: one each way around the middle axis.
 struct Candidates {
   std::array<Row, 3> first;
@@ -353,6 +367,12 @@ void angles_of_all(const EulerForm& form, const Quaternions& quaternions, Angles
   }
 }
 
+void half_angles_of_all(const EulerForm& form, const Quaternions& quaternions, Angles& halves) {
+  for (std::size_t first = 0; first < halves[0].size(); first += kBlock) {
+    half_angles_of_block(form, quaternions, first, halves);
+  }
+}
+
 void slerp_all(const Quaternions& quaternions, const std::vector<Between>& places,
                Quaternions& out) {
   for (std::size_t first = 0; first < places.size(); first += kBlock) {
@@ -399,15 +419,17 @@ namespace {
 
 HWY_EXPORT(quaternions_of_all);
 HWY_EXPORT(angles_of_all);
+HWY_EXPORT(half_angles_of_all);
 HWY_EXPORT(slerp_all);
 HWY_EXPORT(nlerp_all);
 HWY_EXPORT(squad_controls_all);
 HWY_EXPORT(squad_all);
 HWY_EXPORT(atan2_all);
 
-void resize(Quaternions& quaternions, std::size_t count) {
+template <std::size_t kSize>
+void resize(Components<kSize>& components, std::size_t count) {
   assert(count % kBlock == 0);
-  for (auto& component : quaternions) component.resize(count);
+  for (auto& component : components) component.resize(count);
 }
 
 }  // namespace
@@ -420,6 +442,12 @@ void quaternions_of_angles(const EulerForm& form, const Angles& angles, Quaterni
 void angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions, Angles& angles) {
   assert(quaternions[0].size() == angles[0].size());
   HWY_DYNAMIC_DISPATCH(angles_of_all)(form, quaternions, angles);
+}
+
+void half_angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions,
+                                Angles& halves) {
+  resize(halves, quaternions[0].size());
+  HWY_DYNAMIC_DISPATCH(half_angles_of_all)(form, quaternions, halves);
 }
 
 void slerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out) {

@@ -43,6 +43,13 @@ void quaternions_of_angles(const EulerForm& form, const Angles& angles, Quaterni
 /// \param angles  in: what the angles are to be near; out: the angles
 void angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions, Angles& angles);
 
+/// What the angles of quaternions of any length are found from: (a + sign c) / 2, (a - sign c) / 2
+/// and b - shift, the last from 0 to half a turn. At either end of that, in gimbal lock, one of the
+/// others means nothing.
+/// \param halves  out, in the unit of the angles
+void half_angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions,
+                                Angles& halves);
+
 /// A place between two quaternions.
 struct Between {
   std::size_t from;

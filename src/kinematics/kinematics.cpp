@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <cassert>
+
+#include "kinematics/kinematics_plan.hpp"
+
+namespace kinefile {
+namespace {
+
+simd::Vector vector_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+simd::Matrix matrix_of(const Mat3& m) {
+  return {vector_of(m.col(0)), vector_of(m.col(1)), vector_of(m.col(2))};
+}
+
+/// The kernel's word for an axis: 0, 1 or 2 along x, y or z, up to its sign; 3 for any other.
+std::size_t kernel_axis(const Vec3& axis) {
+  const auto along = coordinate_axis(axis);
+  return along ? *along : coordinate_axis(-axis).value_or(3);
+}
+
+simd::Turn plan_turn(const DegreeOfFreedom& dof) {
+  return {dof.coordinate, kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
+          vector_of(dof.axis)};
+}
+
+void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::PlannedJoint& planned) {
+  switch (dof.kind) {
+    case DofKind::Rotation:
+      planned.turns.push_back(plan_turn(dof));
+      break;
+    case DofKind::Translation:
+      planned.shifts.push_back({dof.coordinate, vector_of(rest_rotation * dof.axis)});
+      break;
+    case DofKind::Free:
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 axis = rest_rotation.col(static_cast<Eigen::Index>(k));
+        planned.shifts.push_back({dof.coordinate + k, vector_of(axis)});
+      }
+      planned.is_free = true;
+      planned.quaternion_coordinate = dof.coordinate + 3;
+      break;
+    case DofKind::TailTranslation:
+    case DofKind::TailScale:
+      planned.tail_moves.push_back({dof.coordinate, dof.kind == DofKind::TailScale,
+                                    kernel_axis(dof.axis), vector_of(dof.axis)});
+      break;
+  }
+}
+
+simd::PlannedJoint plan_joint(const Joint& joint, const Vec3& direction) {
+  const Mat3 rest_rotation = joint.rest_rotation.toRotationMatrix();
+  simd::PlannedJoint planned;
+  planned.parent = joint.parent == kNoParent ? simd::kNoJoint : joint.parent;
+  planned.offset = vector_of(joint.offset);
+  planned.has_rest_rotation = rest_rotation != Mat3::Identity();
+  planned.rest_rotation = matrix_of(rest_rotation);
+  planned.direction = vector_of(direction);
+  for (const DegreeOfFreedom& dof : joint.dofs) plan_dof(dof, rest_rotation, planned);
+  for (const Tip& tip : joint.tips) planned.tips.push_back(vector_of(tip.offset));
+  return planned;
+}
+
+simd::Plan make_plan(const Skeleton& skeleton, bool is_local) {
+  simd::Plan plan;
+  plan.is_in_degrees = skeleton.angle_unit == AngleUnit::Degrees;
+  plan.is_local = is_local;
+  const std::vector<Vec3> directions = bone_directions(skeleton);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    plan.joints.push_back(plan_joint(skeleton.joints[j], directions[j]));
+  }
+  return plan;
+}
+
+void place_rows(const simd::Plan& plan, const simd::Rows& rows, std::size_t num_tips,
+                const PoseSpans& out) {
+  [[maybe_unused]] const std::size_t num_poses = rows.num_frames * plan.joints.size();
+  [[maybe_unused]] const auto fits = [](std::span<double> span, std::size_t size) {
+    return span.empty() || span.size() == size;
+  };
+  assert(out.positions.size() == num_poses * 3 && fits(out.rotations, num_poses * 4));
+  assert(fits(out.directions, num_poses * 3) && fits(out.tips, rows.num_frames * num_tips * 3));
+  const auto wanted = [](std::span<double> span) { return span.empty() ? nullptr : span.data(); };
+  simd::place_frames(plan, rows,
+                     {wanted(out.positions), wanted(out.rotations), wanted(out.directions),
+                      wanted(out.tips), num_tips});
+}
+
+}  // namespace
+
+Kinematics::Kinematics(const Skeleton& skeleton) {
+  auto plan = std::make_shared<Plan>();
+  plan->world = make_plan(skeleton, false);
+  plan->local = plan->world;
+  plan->local.is_local = true;
+  plan->num_coordinates = skeleton.coordinates.size();
+  plan->num_tips = kinefile::num_tips(skeleton);
+  plan->radians_per_unit = radians_per(skeleton.angle_unit);
+  plan_ = std::move(plan);
+}
+
+std::size_t Kinematics::num_joints() const { return plan_->world.joints.size(); }
+std::size_t Kinematics::num_tips() const { return plan_->num_tips; }
+std::size_t Kinematics::num_coordinates() const { return plan_->num_coordinates; }
+
+void Kinematics::place(const ValueRows& rows, const PoseSpans& out) const {
+  place_rows(plan_->world, {rows.values.data(), rows.num_frames, rows.stride}, plan_->num_tips,
+             out);
+}
+
+void Kinematics::place_locally(const ValueRows& rows, const PoseSpans& out) const {
+  place_rows(plan_->local, {rows.values.data(), rows.num_frames, rows.stride}, plan_->num_tips,
+             out);
+}
+
+}  // namespace kinefile

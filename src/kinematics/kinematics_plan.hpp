@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "kinefile/kinematics.hpp"
+#include "simd/forward_kinematics.hpp"
+
+namespace kinefile {
+
+struct Kinematics::Plan {
+  simd::Plan world;
+  simd::Plan local;
+  std::size_t num_coordinates = 0;
+  std::size_t num_tips = 0;
+  double radians_per_unit = 1;  ///< of an angle
+};
+
+}  // namespace kinefile

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinefile/clip.hpp"
+#include "kinefile/joint_rotation.hpp"
+#include "rotation/rotations.hpp"
+
+namespace kinefile {
+
+/// Some frames of a clip, one after another.
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// The frames of a clip in batches that stay in the processor's cache.
+std::vector<FrameRange> batches_of(std::size_t num_frames);
+
+/// The products of a joint's rotations in some rows: `rotation_in_row` for many.
+/// \param rotations  outermost first
+void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
+                       const FrameRange& frames, AngleUnit unit, simd::Quaternions& out);
+
+/// Brings many rotations back to the degrees of freedom of a joint, each near the one before:
+/// `fit_rotation` for many.
+class RotationFitter {
+ public:
+  /// \param rotations  outermost first
+  /// \param start      a row with the angles that the first are to be near
+  RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit unit,
+                 std::span<const double> start);
+
+  /// Writes the angles of the next rotations; NaN for one that is not finite.
+  /// \param quaternions  one a frame; in: the rotations; out: without meaning
+  /// \returns            the largest residual angle, in radians
+  double fit(simd::Quaternions& quaternions, const FrameRange& frames, const Rows& rows);
+
+ private:
+  double fit_one_by_one(const simd::Quaternions& quaternions, const FrameRange& frames,
+                        const Rows& rows);
+
+  std::vector<DegreeOfFreedom> rotations_;
+  AngleUnit unit_;
+  std::optional<rotation::AngleFinder> finder_;  ///< where the axes are three that allow it
+  std::vector<double> near_;                     ///< else: a row with the angles before
+  simd::Angles angles_;
+};
+
+}  // namespace kinefile

@@ -41,7 +41,7 @@ Result<void> change_components(BodyMotion& body, bool must_agree,
     const bool is_known = component.kind != ComponentKind::Other;
     if (!must_agree || !is_known ||
         (component.num_frames == main->num_frames &&
-         frame_rate(component.timeline) == frame_rate(main->timeline))) {
+         have_same_times(component.timeline, main->timeline))) {
       continue;
     }
     return fail(make_error(

@@ -253,8 +253,7 @@ BodyMotion make_robot_motion() {
     component.content = content;
     component.num_parts = parts;
     component.num_frames = kSeqFrames;
-    component.timeline.given = Timeline::Given::FrameRate;
-    component.timeline.value = 500;
+    component.timeline.given = FrameRate{500};
     for (std::size_t i = 0; i < kSeqFrames * component.row_size(); ++i) {
       component.values.push_back(std::sin(0.37 * static_cast<double>(i)));
     }

@@ -29,7 +29,7 @@ ComponentDifference difference_of(const Component& a, const Component* b, double
   difference.distance = comparison.distance;
   if (a.kind == ComponentKind::Poses) difference.rotation = comparison.rotation;
   difference.is_different = comparison.distance.value > tolerance ||
-                            frame_rate(a.timeline) != frame_rate(b->timeline) ||
+                            !have_same_times(a.timeline, b->timeline) ||
                             a.is_root_relative != b->is_root_relative;
   return difference;
 }
@@ -93,6 +93,9 @@ void print_text(const BodyComparison& comparison) {
     } else {
       print_largest(difference.content, difference.distance, "");
       print_largest("  rotation", difference.rotation, " degrees");
+      const bool is_known = a->kind != ComponentKind::Other;
+      if (is_known && !have_same_times(a->timeline, b->timeline))
+        print_data("  the times differ\n");
     }
   }
   print_data(comparison.is_different ? "the motions differ\n" : "the motions agree\n");

@@ -114,11 +114,13 @@ std::string component_text(const Component& component) {
   constexpr std::string_view kParts[] = {"value", "pose", "vector"};
   const std::string_view part = kParts[static_cast<std::size_t>(component.kind)];
   const double rate = frame_rate(component.timeline);
-  return fmt::format("{}: {} frames of {} {}{}{}{}", component.content, component.num_frames,
+  const bool has_times = has_own_times(component.timeline);
+  return fmt::format("{}: {} frames of {} {}{}{}{}{}", component.content, component.num_frames,
                      component.num_parts, part, component.num_parts == 1 ? "" : "s",
+                     has_times ? ", at times of their own" : "",
                      rate > 0 ? fmt::format(", {:.6g} fps, duration {} s", rate,
                                             duration(component.timeline, component.num_frames))
-                              : ", at times of their own",
+                              : "",
                      component.is_root_relative ? ", relative to the root link" : "");
 }
 
@@ -166,7 +168,8 @@ std::string text_of(const std::string& path, const Document& document) {
          fmt::format("{}{}", motion->clip.num_frames,
                      first == 0 ? "" : fmt::format(", the first is {} in the file", first)));
     line("rate",
-         fmt::format("{:.6g} fps, frame time {} s", frame_rate(timeline), frame_time(timeline)));
+         fmt::format("{:.6g} fps, frame time {} s{}", frame_rate(timeline), frame_time(timeline),
+                     has_own_times(timeline) ? ", frames at times of their own" : ""));
     line("duration", fmt::format("{} s", duration(timeline, motion->clip.num_frames)));
   }
   line("units",

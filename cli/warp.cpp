@@ -51,7 +51,7 @@ std::vector<retime::WarpKey> keys_of(const Warp& warp, const Timeline& timeline)
     for (const std::string& part : CLI::detail::split(text, ',')) {
       retime::WarpKey key = *parse_key(part);
       if (warp.is_in_seconds) {
-        key = {frame_of_time(timeline, key.old_frame), frame_of_time(timeline, key.new_frame)};
+        key = {frame_at_time(timeline, key.old_frame), frame_at_time(timeline, key.new_frame)};
       }
       keys.push_back(key);
     }
@@ -82,7 +82,17 @@ Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
     if (!weights) return fail(std::move(weights.error()));
     options.weights = std::move(*weights);
   }
-  return retime::warp_map(clip.num_frames, options);
+  auto map = retime::warp_map(clip.num_frames, options);
+  if (map && has_own_times(clip.timeline)) {
+    // A new frame happens when the old one of its number did.
+    FrameTimes times;
+    times.per_second = frame_rate(clip.timeline);
+    for (std::size_t f = 0; f < map->old_frames.size(); ++f) {
+      times.seconds.push_back(time_of_frame(clip.timeline, f));
+    }
+    map->timeline = Timeline{std::move(times), clip.timeline.first_frame_number};
+  }
+  return map;
 }
 
 int run(const Warp& warp, const Globals& globals) {

@@ -163,7 +163,7 @@ Motion make_walk(const WalkOptions& options) {
   Clip& clip = motion.clip;
   clip.num_frames = options.num_frames;
   clip.num_coordinates = motion.skeleton.coordinates.size();
-  clip.timeline.value = 1 / options.frame_rate;
+  clip.timeline.given = FrameTime{1 / options.frame_rate};
   clip.values.reserve(clip.num_frames * clip.num_coordinates);
 
   constexpr double kTurnPerSecond = 6;  // degrees

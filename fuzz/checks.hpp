@@ -28,7 +28,7 @@ inline void check_reading(const Result<Document>& document, const Diagnostics& d
 inline void check_components(const BodyMotion& motion) {
   for (const Component& component : motion.components) {
     require(component.values.size() == component.num_frames * component.row_size());
-    const auto& times = component.timeline.times;
+    const auto& times = own_times(component.timeline);
     require(times.empty() || times.size() == component.num_frames);
     require(component.num_parts > 0);
   }

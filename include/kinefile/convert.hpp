@@ -41,6 +41,14 @@ struct KindOptions {
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics);
 
+/// Interpolates frames that have times of their own to a steady rate (see `retime::rate_for`) where
+/// a format has no place for such times, and tells the rate (CNV007); a warning where no usual rate
+/// holds them. Components of a body motion get one rate and begin together. `in_kind_of` and
+/// `adapted_to` do so first.
+/// \errors those of `retime::with_steady_rate`; RTM002 (Usage) where no rate can be found
+Result<Document> at_steady_rate(const Format& format, Document document, bool lenient,
+                                Diagnostics& diagnostics);
+
 /// Whether two documents are written alike in a format: whether a motion still fits the skeleton
 /// that it was read with, say.
 bool are_written_alike(const Format& format, const Document& a, const Document& b);

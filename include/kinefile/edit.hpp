@@ -15,11 +15,12 @@
 namespace kinefile::edit {
 
 /// The frames from `begin` to `end`, `end` not included, bit for bit. The file's own number of the
-/// first frame moves along.
+/// first frame moves along; so do frames' own times.
 /// \errors EDT003 (Usage) if they are not frames of the motion
 Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end);
 
-/// The frames from the last to the first, bit for bit.
+/// The frames from the last to the first, bit for bit; frames with times of their own as far apart
+/// as before, from the same time on.
 Motion reverse(Motion motion);
 
 /// The motion in a mirror: what the left side did, the right side does. The skeleton stays, even
@@ -56,7 +57,8 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
 /// along the axis that points up (see `guess_up_axis`) keep every bit.
 Motion in_place(Motion motion);
 
-/// The motion `count` times. Without blending every bit is kept, and the figure jumps back to its
+/// The motion `count` times; where frames have times of their own, these go on by their median step
+/// (see `median_step`). Without blending every bit is kept, and the figure jumps back to its
 /// start; with blending see `append`.
 /// \errors EDT005 (Usage) as `append`; or `count` is 0, or the result would be too large
 Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
@@ -66,7 +68,8 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
 /// of the overlap, and the last frames of the first are faded (3u^2 - 2u^3) into the first frames
 /// of the second. It is turned only if all roots turn about three axes or move freely. The
 /// skeletons agree if names, parents, degrees of freedom and columns do, and offsets to 1e-6 of the
-/// skeleton's size; rest values may differ. Frame rates agree to 1e-6. \errors EDT005 (Usage) if
+/// skeleton's size; rest values may differ. Frame rates agree to 1e-6, unless frames have times of
+/// their own: these go on, by the median step of the first. \errors EDT005 (Usage) if
 /// the skeletons or frame rates differ, one has fewer frames than are
 ///         to be blended, or the result would have more than 2^30 values
 Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames);
@@ -89,7 +92,9 @@ Result<void> rename(Document& document, const std::string& old_name, const std::
 /// as if they did not jump by whole turns. Both ends are continued by their reflections for two
 /// periods of the cut-off. What does not change keeps every bit.
 /// \param cutoff_hz  where both passes together halve the power; above 0, below half the frame rate
-/// \errors EDT007 (Usage) for another cut-off, EDT008 (InvalidInput) for values that are not finite
+/// \errors EDT007 (Usage) for another cut-off, EDT011 (Usage) for frames with times of their own,
+///         which the filter would take for equally far apart (`retime::resample_map` makes them
+///         so), EDT008 (InvalidInput) for values that are not finite
 /// Source: Butterworth, Wireless Engineer 7 (1930); Winter, "Biomechanics and Motor Control of
 /// Human Movement" (forwards and backwards).
 Result<Motion> smooth(Motion motion, double cutoff_hz);

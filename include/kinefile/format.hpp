@@ -125,6 +125,10 @@ struct Format {
   /// Of a format that is a set of files of one stem, one an extension: whether a document has
   /// something for the one with this extension. `write` is called for each (`WriteOptions::part`).
   bool (*has_part)(const Document&, std::string_view extension) = nullptr;
+
+  /// Whether it has a place for times of single frames; a motion that goes into another is
+  /// interpolated to a steady rate first.
+  bool keeps_times = false;
 };
 
 /// Every format, in the order in which they are probed and listed.

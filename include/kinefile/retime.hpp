@@ -96,9 +96,21 @@ Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options);
 ///         if the frames' own times go back
 Result<TimeMap> resample_map(const Clip& clip, double frame_rate);
 
-/// The map that plays a motion so many times as fast, the end included as in `resample_map`.
+/// The map that plays a motion so many times as fast, the end included as in `resample_map`; frames
+/// with times of their own go to their `frame_rate`.
 /// \errors RTM002 (Usage) as in `resample_map`
 Result<TimeMap> speed_map(const Clip& clip, double speed);
+
+/// The map that brings frames with times of their own to a steady rate, from a time on; the end is
+/// included as in `resample_map`. Where frames of a whole rate, counted from 0 s, hold all times
+/// (see `frame_that_holds`), these show them bit for bit. Before the first time its frame is shown.
+/// \errors RTM002 (Usage) as in `resample_map`
+Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start);
+
+/// The rate for frames with times of their own where these have no place: the one at which their
+/// file wants them imported, else `steady_rate`; of other frames their own.
+/// \errors RTM002 (Usage) if the times do not rise
+Result<SteadyRate> rate_for(const Timeline& timeline);
 
 /// Tells where time may stretch without being noticed: 1 where a foot is on the ground, 0 where
 /// none is, so that flight keeps its gravity. Feet are found by their joints' names (foot, toe,
@@ -161,12 +173,18 @@ struct RetimeOptions {
 /// to the straight line between the old ones. The quaternion of a free joint comes out normalised,
 /// on the side of the old frame before it.
 /// Values of the map beyond the motion stand for its ends; they must be numbers.
-/// The new timeline is the map's or else the old one, without times of single frames.
+/// The new timeline is the map's or else the old one, at its `frame_rate` where frames had times of
+/// their own.
 /// With `antialias`, where more than one old frame goes by in a new one, frames are averaged by a
 /// Gaussian curve with a sigma of half as many frames, cut at three sigma.
 /// \errors RTM005 (InvalidInput) if a joint would have to be interpolated between numbers that are
 ///         not finite, and not `lenient`; RTM008 (Usage) for more than 2^30 values
 Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
                      Diagnostics& diagnostics);
+
+/// Interpolates a motion whose frames have times of their own to a steady rate (see `steady_map`);
+/// any other stays as it is. \errors those of `steady_map` and of `apply`
+Result<Motion> with_steady_rate(const Motion& motion, double frame_rate, double start,
+                                const RetimeOptions& options, Diagnostics& diagnostics);
 
 }  // namespace kinefile::retime

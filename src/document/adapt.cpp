@@ -92,6 +92,9 @@ Motion with_ends(Motion motion) {
 
 Result<Document> adapted_to(const Format& format, Document document,
                             const shape::ChannelOptions& channels, Diagnostics& diagnostics) {
+  auto steady = at_steady_rate(format, std::move(document), channels.lenient, diagnostics);
+  if (!steady) return steady;
+  document = std::move(*steady);
   const bool is_for_bones = format.name == "asf" || format.name == "amc";
   const bool is_for_bvh = format.name == "bvh" && document.format != "bvh";
   if (!is_for_bones && !is_for_bvh && !asks_for_channels(channels)) return document;

@@ -75,7 +75,7 @@ std::string hindrance(const Operation& operation, const Document& document) {
 bool disagrees(const Component& component, const Component& main) {
   if (component.kind == ComponentKind::Other) return false;
   return component.num_frames != main.num_frames ||
-         frame_rate(component.timeline) != frame_rate(main.timeline);
+         !have_same_times(component.timeline, main.timeline);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end) {
   Timeline& timeline = result.clip.timeline;
   timeline = clip.timeline;
   timeline.first_frame_number += static_cast<std::int64_t>(begin);
-  if (!timeline.times.empty()) {
-    const double* times = clip.timeline.times.data();
-    timeline.times.assign(times + begin, times + end);
+  if (FrameTimes* own = std::get_if<FrameTimes>(&timeline.given)) {
+    const double* times = own_times(clip.timeline).data();
+    own->seconds.assign(times + begin, times + end);
   }
   return result;
 }
@@ -37,9 +37,10 @@ Motion reverse(Motion motion) {
     const auto row = rows[f];
     std::swap_ranges(row.begin(), row.end(), rows[clip.num_frames - 1 - f].begin());
   }
-  const auto times = clip.timeline.times;
+  const std::vector<double> times = own_times(clip.timeline);
+  FrameTimes* const own = std::get_if<FrameTimes>(&clip.timeline.given);
   for (std::size_t f = 0; f < times.size(); ++f) {
-    clip.timeline.times[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
+    own->seconds[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
   }
   return motion;
 }

@@ -75,9 +75,12 @@ std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
   if (!difference.empty()) {
     return cannot_join(fmt::format("the skeletons differ: {}", difference));
   }
+  // Frames with times of their own go on at those.
+  const bool is_steady =
+      !has_own_times(first.clip.timeline) && !has_own_times(second.clip.timeline);
   const double rate = frame_rate(first.clip.timeline);
   const double other_rate = frame_rate(second.clip.timeline);
-  if (!(std::abs(rate - other_rate) <= kSame * rate)) {
+  if (is_steady && !(std::abs(rate - other_rate) <= kSame * rate)) {
     return cannot_join(
         fmt::format("the frame rates differ: {} and {} frames a second", rate, other_rate));
   }
@@ -95,20 +98,32 @@ bool is_too_large(double num_frames, std::size_t num_columns) {
   return num_frames * static_cast<double>(std::max<std::size_t>(num_columns, 1)) > kMostValues;
 }
 
-/// Continues the times of frames, where one of the clips has any.
+/// The step from the last frame of a clip to the first of the next one: the median of its own
+/// times, or of the other's where it has too few.
+double step_between(const Clip& first, const Clip& second) {
+  if (!has_own_times(first.timeline)) return frame_time(first.timeline);
+  const double own = median_step(own_times(first.timeline));
+  if (own > 0) return own;
+  const std::vector<double>& times = own_times(second.timeline);
+  return has_own_times(second.timeline) ? median_step(times) : frame_time(second.timeline);
+}
+
+/// Continues the times of frames, where one of the clips has any of its own.
 void append_times(Clip& first, const Clip& second, std::size_t num_blend_frames) {
-  if (first.timeline.times.empty() && second.timeline.times.empty()) return;
+  if (!has_own_times(first.timeline) && !has_own_times(second.timeline)) return;
   const std::size_t count = first.num_frames;
   std::vector<double> times;
   for (std::size_t f = 0; f < count; ++f) times.push_back(time_of_frame(first.timeline, f));
   double start = 0;  // when the second's first frame happens
   if (num_blend_frames > 0) start = times[count - num_blend_frames];
-  if (num_blend_frames == 0 && count > 0) start = times.back() + frame_time(first.timeline);
+  if (num_blend_frames == 0 && count > 0) start = times.back() + step_between(first, second);
   const double shift = start - time_of_frame(second.timeline, 0);
   for (std::size_t f = num_blend_frames; f < second.num_frames; ++f) {
     times.push_back(time_of_frame(second.timeline, f) + (count > 0 ? shift : 0));
   }
-  first.timeline.times = std::move(times);
+  const FrameTimes* own = std::get_if<FrameTimes>(
+      has_own_times(first.timeline) ? &first.timeline.given : &second.timeline.given);
+  first.timeline.given = FrameTimes{std::move(times), own->per_second};
 }
 
 void append_rows(Clip& first, const Clip& second, std::size_t begin) {

@@ -273,6 +273,11 @@ std::optional<Error> find_not_finite(const Motion& motion) {
 }  // namespace
 
 Result<Motion> smooth(Motion motion, double cutoff_hz) {
+  if (has_own_times(motion.clip.timeline)) {
+    return fail(make_error(ErrorKind::Usage, "EDT011",
+                           "expected frames that are equally far apart, found times of their own; "
+                           "resample the motion first"));
+  }
   const double rate = frame_rate(motion.clip.timeline);
   if (!(cutoff_hz > 0 && cutoff_hz < rate / 2)) {
     return fail(make_error(ErrorKind::Usage, "EDT007",

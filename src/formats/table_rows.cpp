@@ -8,6 +8,9 @@
 namespace kinefile {
 namespace {
 
+/// How near a rate is to a whole one that it stands for, and a first time to 0, in its parts.
+constexpr double kWhole = 1e-4;
+
 /// The times of a table, which go up; empty after an error.
 std::optional<std::vector<double>> times_of(const text::Source& source, const TableRows& rows,
                                             const char* code, Diagnostics& diagnostics) {
@@ -35,43 +38,58 @@ bool are_steady(const std::vector<double>& times, double period) {
   return true;
 }
 
+/// Whether times are those of frames that follow each other, to the last digit of each.
+bool are_rounded(const std::vector<double>& times, double rate) {
+  const auto first = frame_that_holds(times.front(), rate);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto frame = frame_that_holds(times[i], rate);
+    if (!frame || *frame != *first + static_cast<double>(i)) return false;
+  }
+  return true;
+}
+
+/// The rate of two times or more, where they have one.
+std::optional<double> rate_of(const std::vector<double>& times) {
+  constexpr double kLeastRate = 1e-9, kGreatestRate = 1e9;
+  const double period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  const double rate = 1 / period;
+  if (!(rate >= kLeastRate && rate <= kGreatestRate)) return std::nullopt;
+  const double whole = std::round(rate);
+  if (are_steady(times, period)) {
+    return whole >= 1 && std::abs(rate - whole) <= kWhole * whole ? whole : rate;
+  }
+  const auto usual = steady_rate(times);
+  if (usual && usual->holds_times && are_rounded(times, usual->per_second)) {
+    return usual->per_second;
+  }
+  if (whole >= 1 && are_rounded(times, whole)) return whole;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,
                                          Diagnostics& diagnostics) {
-  constexpr double kWhole = 1e-4;
-  constexpr double kLeastRate = 1e-9, kGreatestRate = 1e9;
   auto times = times_of(source, rows, codes.not_rising, diagnostics);
   if (!times) return std::nullopt;
-  Timeline timeline;
-  timeline.given = Timeline::Given::FrameRate;
-  timeline.value = fps.value_or(30);
-  if (fps) return timeline;
+  if (fps) return Timeline{FrameRate{*fps}, 0};
   if (times->size() < 2) {
     text::report(source, diagnostics, Severity::Note, codes.no_rate,
                  "the table does not tell its rate; 30 frames a second are assumed (--fps says "
                  "otherwise)",
                  source.text().data());
-    return timeline;
+    return Timeline{FrameRate{30}, 0};
   }
-  const double period = (times->back() - times->front()) / static_cast<double>(times->size() - 1);
-  const double rate = 1 / period;
-  const bool is_rate = rate >= kLeastRate && rate <= kGreatestRate;
-  if (!is_rate || !are_steady(*times, period)) {
-    timeline.value = 0;
-    timeline.times = std::move(*times);
-    return timeline;
-  }
-  if (std::abs(times->front()) > kWhole * period) {
+  const auto rate = rate_of(*times);
+  if (!rate) return Timeline{FrameTimes{std::move(*times)}, 0};
+  if (std::abs(times->front()) * *rate > kWhole) {
     text::report(
         source, diagnostics, Severity::Note, codes.late_start,
         fmt::format("the table begins at {} s; times count from its first row on", times->front()),
         rows.starts.front());
   }
-  const double whole = std::round(rate);
-  timeline.value = whole >= 1 && std::abs(rate - whole) <= kWhole * whole ? whole : rate;
-  return timeline;
+  return Timeline{FrameRate{*rate}, 0};
 }
 
 }  // namespace kinefile

@@ -25,9 +25,10 @@ struct TableTimeCodes {
   const char* late_start;  ///< a note: the first time is not 0, and times count from 0
 };
 
-/// The rate that a table's times tell, a whole one where it is within a ten-thousandth of it; the
-/// times themselves where they are at no steady rate. Empty after an error.
-/// \param fps  what the caller says it is; the times then count no more
+/// The rate that a table's times tell, a whole one where it is within a ten-thousandth of it or
+/// where the times are its frames' rounded to their last digits; the times themselves where they
+/// are at no steady rate. Empty after an error. \param fps  what the caller says it is; the times
+/// then count no more
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,
                                          Diagnostics& diagnostics);

@@ -49,20 +49,64 @@ std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& secon
   return pairs;
 }
 
-/// The frame of a clip that is nearest to a time.
-std::size_t nearest_frame(const Clip& clip, double time) {
-  if (clip.timeline.times.empty()) {
-    const double frame = std::round(time / frame_time(clip.timeline));
-    const auto last = static_cast<double>(clip.num_frames - 1);
-    if (std::isnan(frame)) return 0;
-    return static_cast<std::size_t>(std::clamp(frame, 0.0, last));
+/// Finds the frames of a clip that are nearest to times.
+class NearestFrames {
+ public:
+  explicit NearestFrames(const Clip& clip) : clip_(clip), times_(own_times(clip.timeline)) {
+    times_.resize(std::min(times_.size(), clip.num_frames));
+    for (std::size_t f = 0; f < times_.size(); ++f) frames_.push_back(f);
+    for (double& time : times_) time = std::isnan(time) ? 0 : time;  // NaN has no order
+    if (std::is_sorted(times_.begin(), times_.end())) return;
+    // Times that a lenient reader has let pass go back.
+    std::stable_sort(frames_.begin(), frames_.end(),
+                     [this](std::size_t a, std::size_t b) { return times_[a] < times_[b]; });
+    std::sort(times_.begin(), times_.end());
   }
-  const auto& times = clip.timeline.times;
-  const auto after = std::lower_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return 0;
-  if (after == times.end()) return times.size() - 1;
-  const bool is_nearer_before = time - *(after - 1) <= *after - time;
-  return static_cast<std::size_t>(after - times.begin()) - (is_nearer_before ? 1 : 0);
+
+  std::size_t at(double time) const {
+    if (times_.empty()) {
+      const double frame = std::round(frame_at_time(clip_.timeline, time));
+      const auto last = static_cast<double>(clip_.num_frames - 1);
+      return std::isnan(frame) ? 0 : static_cast<std::size_t>(std::clamp(frame, 0.0, last));
+    }
+    const FramePosition position = position_in_time(times_, time);
+    const std::size_t next = std::min(position.frame + 1, times_.size() - 1);
+    return frames_[position.share > 0.5 ? next : position.frame];
+  }
+
+ private:
+  const Clip& clip_;
+  std::vector<double> times_;        ///< rising
+  std::vector<std::size_t> frames_;  ///< of `times_`
+};
+
+/// The frames of the second clip that are nearest to those of the first.
+std::vector<std::size_t> partners_of(const Clip& first, const Clip& second) {
+  const NearestFrames nearest(second);
+  const double rate = nominal_frame_rate(first.timeline);
+  const bool has_times = has_own_times(first.timeline);
+  std::vector<std::size_t> partners;
+  partners.reserve(first.num_frames);
+  for (std::size_t f = 0; f < first.num_frames; ++f) {
+    // The times of a frame time that was cut off would drift away.
+    const double time =
+        has_times ? time_of_frame(first.timeline, f) : static_cast<double>(f) / rate;
+    partners.push_back(nearest.at(time));
+  }
+  return partners;
+}
+
+/// How many of the frames from `start` on are compared at once, so that neither side is too long.
+std::size_t frames_at_once(const std::vector<std::size_t>& partners, std::size_t start,
+                           std::size_t most_a, std::size_t most_b) {
+  std::size_t lowest = partners[start], highest = partners[start], count = 1;
+  for (; count < most_a && start + count < partners.size(); ++count) {
+    const std::size_t partner = partners[start + count];
+    if (std::max(highest, partner) - std::min(lowest, partner) >= most_b) break;
+    lowest = std::min(lowest, partner);
+    highest = std::max(highest, partner);
+  }
+  return count;
 }
 
 /// The distance of two points; NaN agrees with NaN and with nothing else.
@@ -161,19 +205,18 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
   const double scale = unit_a > 0 && unit_b > 0 && unit_a != unit_b ? unit_b / unit_a : 1;
   Side a{first, 1, first_tips_of_joints(first.skeleton), {}};
   Side b{second, scale, first_tips_of_joints(second.skeleton), {}};
-  const auto partner = [&](std::size_t frame) {
-    return nearest_frame(second.clip, time_of_frame(first.clip.timeline, frame));
-  };
+  const std::vector<std::size_t> partners = partners_of(first.clip, second.clip);
   const std::size_t most_a = frames_per_block(first.skeleton);
   const std::size_t most_b = frames_per_block(second.skeleton);
   for (std::size_t start = 0; start < first.clip.num_frames; start += a.poses.num_frames) {
-    std::size_t count = std::min(most_a, first.clip.num_frames - start);
-    const std::size_t first_partner = partner(start);
-    while (count > 1 && partner(start + count - 1) - first_partner >= most_b) count /= 2;
+    const std::size_t count = frames_at_once(partners, start, most_a, most_b);
+    const auto begin = partners.begin() + static_cast<std::ptrdiff_t>(start);
+    const auto [lowest, highest] =
+        std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(count));
     place(a, start, count);
-    place(b, first_partner, partner(start + count - 1) - first_partner + 1);
+    place(b, *lowest, *highest - *lowest + 1);
     for (std::size_t row = 0; row < count; ++row) {
-      const std::size_t row_b = partner(start + row) - first_partner;
+      const std::size_t row_b = partners[start + row] - *lowest;
       for (const JointPair pair : pairs) compare_joint(a, b, pair, row, row_b, comparison);
     }
   }

@@ -17,7 +17,7 @@ constexpr std::size_t kMostValues = std::size_t{1} << 30;  // 8 GiB
 
 /// The old timeline for another number of frames: times of single frames do not fit any more.
 Timeline without_times(Timeline timeline) {
-  timeline.times.clear();
+  if (has_own_times(timeline)) timeline.given = FrameRate{frame_rate(timeline)};
   return timeline;
 }
 

@@ -41,36 +41,34 @@ Result<TimeMap> map_by_ratio(std::size_t num_old_frames, double numerator, doubl
   return map;
 }
 
-/// The old frame, fractions included, at a time, where frames have times of their own.
-/// \param times  rising, two or more
-double frame_at_time(const std::vector<double>& times, double time) {
-  const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
-  const double start = *(after - 1);
-  const double share = *after > start ? (time - start) / (*after - start) : 0;
-  return static_cast<double>(after - times.begin() - 1) + std::clamp(share, 0.0, 1.0);
+bool do_rise(const std::vector<double>& times) {
+  const auto is_bad = [](double time) { return !std::isfinite(time); };
+  return std::none_of(times.begin(), times.end(), is_bad) &&
+         std::is_sorted(times.begin(), times.end());
 }
 
-/// The map whose new frame n is n x step seconds after the first, the end included.
-Result<TimeMap> map_by_times(const std::vector<double>& times, double step) {
+/// The old frame, fractions included, at a time; the first and the last stay before and after.
+double frame_within(const std::vector<double>& times, double seconds) {
+  const FramePosition position = position_in_time(times, seconds);
+  return on_whole_frame(static_cast<double>(position.frame) + position.share);
+}
+
+/// The map whose new frame n is n / rate seconds after `start`, the end included.
+Result<TimeMap> map_by_times(const std::vector<double>& times, double start, double rate) {
   TimeMap map;
-  const auto is_bad = [](double time) { return !std::isfinite(time); };
-  if (std::any_of(times.begin(), times.end(), is_bad) ||
-      !std::is_sorted(times.begin(), times.end())) {
-    return refuse_rate("expected frames whose times rise, found others");
-  }
-  const auto count = count_frames((times.back() - times.front()) / step);
+  if (times.empty()) return map;
+  if (!do_rise(times)) return refuse_rate("expected frames whose times rise, found others");
+  const auto count = count_frames((times.back() - start) * rate);
   if (!count) return fail(count.error());
   map.old_frames.reserve(*count);
   for (std::size_t n = 0; n + 1 < *count; ++n) {
-    map.old_frames.push_back(frame_at_time(times, times.front() + static_cast<double>(n) * step));
+    map.old_frames.push_back(frame_within(times, start + static_cast<double>(n) / rate));
   }
   map.old_frames.push_back(static_cast<double>(times.size() - 1));
   return map;
 }
 
-bool has_own_times(const Clip& clip) {
-  return clip.num_frames > 1 && clip.timeline.times.size() == clip.num_frames;
-}
+bool is_irregular(const Clip& clip) { return clip.num_frames > 1 && has_own_times(clip.timeline); }
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
@@ -81,15 +79,13 @@ Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
     return refuse_rate(fmt::format("expected a frame rate above 0, found {}", frame_rate));
   }
   const double old_rate = nominal_frame_rate(clip.timeline);
-  if (!has_own_times(clip) && !is_positive(old_rate)) {
+  if (!is_irregular(clip) && !is_positive(old_rate)) {
     return refuse_rate(fmt::format("expected a motion with a frame rate, found {}", old_rate));
   }
-  auto map = has_own_times(clip) ? map_by_times(clip.timeline.times, 1 / frame_rate)
-                                 : map_by_ratio(clip.num_frames, old_rate, frame_rate);
-  if (map) {
-    map->timeline =
-        Timeline{Timeline::Given::FrameRate, frame_rate, clip.timeline.first_frame_number, {}};
-  }
+  const std::vector<double>& times = own_times(clip.timeline);
+  auto map = is_irregular(clip) ? map_by_times(times, times.front(), frame_rate)
+                                : map_by_ratio(clip.num_frames, old_rate, frame_rate);
+  if (map) map->timeline = Timeline{FrameRate{frame_rate}, clip.timeline.first_frame_number};
   return map;
 }
 
@@ -97,18 +93,50 @@ Result<TimeMap> speed_map(const Clip& clip, double speed) {
   if (!is_positive(speed)) {
     return refuse_rate(fmt::format("expected a speed above 0, found {}", speed));
   }
-  if (!has_own_times(clip)) return map_by_ratio(clip.num_frames, speed, 1);
-  const double step = frame_time(clip.timeline) * speed;
-  if (!is_positive(step)) {
-    return refuse_rate(
-        fmt::format("expected a motion with a frame time, found {}", frame_time(clip.timeline)));
+  if (!is_irregular(clip)) return map_by_ratio(clip.num_frames, speed, 1);
+  const double rate = frame_rate(clip.timeline);
+  if (!is_positive(rate / speed)) {
+    return refuse_rate(fmt::format("expected a motion with a frame rate, found {}", rate));
   }
-  auto map = map_by_times(clip.timeline.times, step);
-  if (map) {
-    map->timeline = clip.timeline;
-    map->timeline->times.clear();
-  }
+  const std::vector<double>& times = own_times(clip.timeline);
+  auto map = map_by_times(times, times.front(), rate / speed);
+  if (map) map->timeline = Timeline{FrameRate{rate}, clip.timeline.first_frame_number};
   return map;
+}
+
+Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start) {
+  if (!is_positive(frame_rate)) {
+    return refuse_rate(fmt::format("expected a frame rate above 0, found {}", frame_rate));
+  }
+  if (!std::isfinite(start)) {
+    return refuse_rate(fmt::format("expected a time to begin at, found {} s", start));
+  }
+  // Where a frame holds a time it shows that time's frame, whatever digits the time has lost.
+  std::vector<double> times = own_times(clip.timeline);
+  const bool is_whole = frame_rate == std::round(frame_rate);
+  const auto held = [frame_rate](double time) { return frame_that_holds(time, frame_rate); };
+  const bool holds_all = is_whole && held(start) && std::all_of(times.begin(), times.end(), held);
+  for (double& time : times) time = holds_all ? *held(time) : time;
+  auto map =
+      holds_all ? map_by_times(times, *held(start), 1) : map_by_times(times, start, frame_rate);
+  if (map) map->timeline = Timeline{FrameRate{frame_rate}, clip.timeline.first_frame_number};
+  return map;
+}
+
+Result<SteadyRate> rate_for(const Timeline& timeline) {
+  const FrameTimes* own = std::get_if<FrameTimes>(&timeline.given);
+  if (own == nullptr || own->per_second) return SteadyRate{frame_rate(timeline), true};
+  const auto steady = steady_rate(own->seconds);
+  if (!steady) return refuse_rate("expected frames whose times rise, found others");
+  return *steady;
+}
+
+Result<Motion> with_steady_rate(const Motion& motion, double frame_rate, double start,
+                                const RetimeOptions& options, Diagnostics& diagnostics) {
+  if (!has_own_times(motion.clip.timeline)) return motion;
+  const auto map = steady_map(motion.clip, frame_rate, start);
+  if (!map) return fail(map.error());
+  return apply(motion, *map, options, diagnostics);
 }
 
 }  // namespace kinefile::retime

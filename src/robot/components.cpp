@@ -72,6 +72,12 @@ void append_parts(const Skeleton& from, Skeleton& to) {
   }
 }
 
+/// Whether frames of one number belong together: not where one has times that the other has not.
+bool are_together(const Component& a, const Component& b) {
+  const bool has_times = has_own_times(a.timeline) || has_own_times(b.timeline);
+  return !has_times || have_same_times(a.timeline, b.timeline);
+}
+
 }  // namespace
 
 Motion motion_of_component(const Component& component) {
@@ -100,16 +106,18 @@ Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) 
   std::vector<std::string> left_out;
   for (const Component& component : motion.components) {
     const bool is_known = component.kind != ComponentKind::Other;
-    if (is_known && component.num_frames == main->num_frames) {
+    if (is_known && component.num_frames == main->num_frames && are_together(component, *main)) {
       parts.push_back(motion_of_component(component));
     } else {
       left_out.push_back(component.content);
     }
   }
   if (!left_out.empty()) {
-    diagnostics.add(Severity::Warning, "BRG014",
-                    fmt::format("components of another length or of unknown type are left out: {}",
-                                listed(left_out)));
+    diagnostics.add(
+        Severity::Warning, "BRG014",
+        fmt::format(
+            "components of another length, at other times or of unknown type are left out: {}",
+            listed(left_out)));
   }
   Motion all;
   if (parts.empty()) return all;

@@ -54,7 +54,12 @@ Result<std::size_t> settle_frames(const Recorded& recorded, bool lenient,
     }
     diagnostics.add(Severity::Warning, "BRG011", message + "; the last one is held");
   }
-  if (frame_rate(recorded.joints->timeline) != frame_rate(main.timeline)) {
+  const bool has_times = has_own_times(recorded.joints->timeline) || has_own_times(main.timeline);
+  if (has_times && !have_same_times(recorded.joints->timeline, main.timeline)) {
+    const char* const message = "expected joints at the times of the links, found others";
+    if (!lenient) return fail(make_error(ErrorKind::InvalidInput, "BRG011", message));
+    warn(diagnostics, fmt::format("{}; frames belong together by their numbers", message));
+  } else if (frame_rate(recorded.joints->timeline) != frame_rate(main.timeline)) {
     warn(diagnostics,
          fmt::format("joints have {} frames a second, links {}; frames belong "
                      "together by their numbers",

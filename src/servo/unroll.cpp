@@ -121,10 +121,7 @@ double angle_at(const flow::Run& run, std::size_t tick, const ServoMap& map,
 }
 
 Timeline timeline_of(const ServoMap& map) {
-  Timeline timeline;
-  timeline.given = Timeline::Given::FrameRate;
-  timeline.value = map.tick_seconds == 1.0 / 60 ? 60 : 1 / map.tick_seconds;
-  return timeline;
+  return {FrameRate{map.tick_seconds == 1.0 / 60 ? 60 : 1 / map.tick_seconds}, 0};
 }
 
 /// The rows of a run: a row at rest, with the joints' angles put in.
@@ -165,15 +162,6 @@ struct RecordedRows {
   const Timeline& timeline;
 };
 
-/// The frame before a time and how far it is to the next one, among frames with times of their own.
-std::pair<std::size_t, double> frame_at(const std::vector<double>& times, double seconds) {
-  const auto next = std::upper_bound(times.begin(), times.end(), seconds);
-  if (next == times.begin()) return {0, 0};
-  const auto before = static_cast<std::size_t>(next - times.begin()) - 1;
-  if (next == times.end()) return {before, 0};
-  return {before, (seconds - times[before]) / (*next - times[before])};
-}
-
 Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const ServoMap& map,
                                            const std::vector<MappedAngle>& angles) {
   JointTrajectory trajectory;
@@ -183,7 +171,7 @@ Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const Servo
   const auto value = [&](std::size_t frame, const MappedAngle& angle) {
     return rows.values[frame * rows.row_size + angle.column] * angle.radians;
   };
-  const std::vector<double>& times = rows.timeline.times;
+  const std::vector<double>& times = own_times(rows.timeline);
   if (times.empty()) {
     trajectory.num_frames = rows.num_frames;
     trajectory.frame_time = 1 / nominal_frame_rate(rows.timeline);
@@ -198,7 +186,7 @@ Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const Servo
   trajectory.num_frames = *num_ticks + 1;
   for (std::size_t tick = 0; tick < trajectory.num_frames; ++tick) {
     const auto [frame, share] =
-        frame_at(times, times.front() + static_cast<double>(tick) * map.tick_seconds);
+        position_in_time(times, times.front() + static_cast<double>(tick) * map.tick_seconds);
     for (const MappedAngle& angle : angles) {
       const double from = value(frame, angle);
       trajectory.angles.push_back(share == 0 ? from

@@ -21,7 +21,7 @@ std::vector<double> aligned(const Motion& motion, const Motion& reference,
   EXPECT_TRUE(map) << to_string(map.error());
   if (!map) return {};
   EXPECT_EQ(map->old_frames.size(), reference.clip.num_frames);
-  EXPECT_TRUE(map->timeline && map->timeline->value == reference.clip.timeline.value);
+  EXPECT_TRUE(map->timeline && *map->timeline == reference.clip.timeline);
   return map->old_frames;
 }
 

@@ -41,7 +41,7 @@ Component component(ComponentKind kind, std::string_view content, std::size_t nu
   made.num_parts = num_parts;
   made.values = std::move(values);
   made.num_frames = made.values.size() / made.row_size();
-  made.timeline = {Timeline::Given::FrameRate, 10, 0, {}};
+  made.timeline = {FrameRate{10}, 0};
   return made;
 }
 

@@ -22,6 +22,37 @@ TEST(CompareMotions, AMotionAgreesWithItself) {
   EXPECT_TRUE(comparison.only_in_first.empty());
 }
 
+TEST(CompareMotions, FramesAreFoundByTheirTimesInWhateverOrder) {
+  const Motion walk = examples::make_walk({.num_frames = 6});
+  Motion mixed = walk;
+  mixed.clip.timeline.given = FrameTimes{{0.5, 0.1, 0.2, 0, 0.4, 0.3}};
+  Motion sorted = walk;
+  sorted.clip.timeline.given = FrameTimes{{0, 0.1, 0.2, 0.3, 0.4, 0.5}};
+  const Rows rows = sorted.clip.mutate();
+  const std::size_t frame_of[] = {3, 1, 2, 5, 4, 0};
+  for (std::size_t f = 0; f < 6; ++f) {
+    const auto row = walk.clip.row(frame_of[f]);
+    std::copy(row.begin(), row.end(), rows[f].begin());
+  }
+  EXPECT_EQ(compare_motions(mixed, sorted).distance.value, 0);
+  EXPECT_EQ(compare_motions(sorted, mixed).distance.value, 0);
+  EXPECT_GT(compare_motions(walk, mixed).distance.value, 0);
+}
+
+TEST(CompareMotions, ATimeThatWasCutOffDoesNotDriftAway) {
+  Motion cut = examples::make_walk({.num_frames = 2});
+  cut.clip.num_frames = 200000;  // of which all but the last are alike
+  cut.clip.values.resize(cut.clip.num_frames * cut.clip.num_coordinates);
+  const Rows rows = cut.clip.mutate();
+  for (std::size_t f = 0; f < cut.clip.num_frames; ++f) {
+    std::fill(rows[f].begin(), rows[f].end(), f + 1 == cut.clip.num_frames ? 20.0 : 0.0);
+  }
+  cut.clip.timeline.given = FrameTime{0.0083333};
+  Motion exact = cut;
+  exact.clip.timeline.given = FrameRate{120};
+  EXPECT_EQ(compare_motions(cut, exact).distance.value, 0);
+}
+
 TEST(CompareMotions, LengthsAreInTheFirstMotionsUnit) {
   Motion metres = examples::make_walk({.num_frames = 5});
   Motion feet = metres;

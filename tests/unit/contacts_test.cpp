@@ -29,7 +29,7 @@ Motion hopper(std::size_t up = 1, double unit = 1) {
   motion.skeleton.coordinates = {{0, "position"}};
   motion.clip.num_frames = 150;
   motion.clip.num_coordinates = 1;
-  motion.clip.timeline = {Timeline::Given::FrameRate, 100, 0, {}};
+  motion.clip.timeline = {FrameRate{100}, 0};
   for (int f = 0; f < 150; ++f) {
     const double time = (f - 49) * 0.01;
     const bool is_flying = f > 49 && f < 100;

@@ -22,8 +22,8 @@ TEST(Trimmed, KeepsEveryBitAndTheFilesOwnNumbers) {
 
 TEST(Trimmed, CutsTheTimesOfFrames) {
   Motion walk = examples::make_walk({.num_frames = 4});
-  walk.clip.timeline.times = {0, 0.1, 0.5, 0.6};
-  EXPECT_EQ(edit::trim(walk, 1, 3)->clip.timeline.times, (std::vector<double>{0.1, 0.5}));
+  walk.clip.timeline.given = FrameTimes{{0, 0.1, 0.5, 0.6}};
+  EXPECT_EQ(own_times(edit::trim(walk, 1, 3)->clip.timeline), (std::vector<double>{0.1, 0.5}));
 }
 
 TEST(Trimmed, MayKeepAllFramesOrNone) {
@@ -51,8 +51,8 @@ TEST(Reversed, TwiceIsTheSameMotion) {
 
 TEST(Reversed, TurnsTheTimesOfFramesAround) {
   Motion walk = examples::make_walk({.num_frames = 3});
-  walk.clip.timeline.times = {1, 1.5, 3};
-  EXPECT_EQ(edit::reverse(walk).clip.timeline.times, (std::vector<double>{1, 2.5, 3}));
+  walk.clip.timeline.given = FrameTimes{{1, 1.5, 3}};
+  EXPECT_EQ(own_times(edit::reverse(walk).clip.timeline), (std::vector<double>{1, 2.5, 3}));
 }
 
 TEST(Reversed, NeedsNoFramesAndNoColumns) {

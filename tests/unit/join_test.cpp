@@ -53,16 +53,25 @@ TEST(Appended, KeepsEveryBit) {
 TEST(Appended, GoesOnWithTheTimesOfFrames) {
   Motion first = examples::make_walk({.num_frames = 2, .frame_rate = 10});
   const Motion second = first;
-  first.clip.timeline.times = {1, 1.25};
+  first.clip.timeline.given = FrameTimes{{1, 1.25}};
   const auto both = edit::append(first, second, 0);
   ASSERT_TRUE(both);
-  ASSERT_EQ(both->clip.timeline.times.size(), 4u);
-  EXPECT_EQ(both->clip.timeline.times[1], 1.25);
-  EXPECT_DOUBLE_EQ(both->clip.timeline.times[2], 1.35);
-  EXPECT_DOUBLE_EQ(both->clip.timeline.times[3], 1.45);
+  const std::vector<double>& times = own_times(both->clip.timeline);
+  ASSERT_EQ(times.size(), 4u);
+  EXPECT_EQ(times[1], 1.25);
+  EXPECT_DOUBLE_EQ(times[2], 1.5);  // the median step of the first
+  EXPECT_DOUBLE_EQ(times[3], 1.6);
   const auto faded = edit::append(first, second, 1);
-  ASSERT_EQ(faded->clip.timeline.times.size(), 3u);
-  EXPECT_DOUBLE_EQ(faded->clip.timeline.times[2], 1.35);
+  ASSERT_EQ(own_times(faded->clip.timeline).size(), 3u);
+  EXPECT_DOUBLE_EQ(own_times(faded->clip.timeline)[2], 1.35);
+}
+
+TEST(Looped, GoesOnByTheMedianStepOfTheFramesOwnTimes) {
+  Motion walk = examples::make_walk({.num_frames = 3});
+  walk.clip.timeline.given = FrameTimes{{0, 0.5, 0.75}};
+  const auto twice = edit::loop(walk, 2, 0);
+  ASSERT_TRUE(twice);
+  EXPECT_EQ(own_times(twice->clip.timeline), (std::vector<double>{0, 0.5, 0.75, 1, 1.5, 1.75}));
 }
 
 TEST(Appended, FadesOneIntoTheOther) {

@@ -19,7 +19,7 @@ Motion hinge(const std::vector<double>& values) {
   motion.clip.num_frames = values.size();
   motion.clip.num_coordinates = 1;
   motion.clip.values = values;
-  motion.clip.timeline = {Timeline::Given::FrameRate, 10, 0, {}};
+  motion.clip.timeline = {FrameRate{10}, 0};
   return motion;
 }
 

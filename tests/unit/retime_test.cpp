@@ -75,16 +75,12 @@ TEST(Retime, OneFrameCanBeHeldAndNoneGivesNone) {
 
 TEST(Retime, TheTimelineIsTheMapsOrTheOldOneWithoutTimes) {
   Motion walk = examples::make_walk({.num_frames = 3});
-  walk.clip.timeline.times = {0, 0.1, 0.3};
+  walk.clip.timeline.given = FrameTimes{{0, 0.1, 0.3}, 25};
   const Motion kept = retimed(walk, {{0, 1.5}});
-  EXPECT_EQ(kept.clip.timeline.value, walk.clip.timeline.value);
-  EXPECT_TRUE(kept.clip.timeline.times.empty());
-  Timeline other;
-  other.value = 0.25;
-  other.times = {0, 7};
+  EXPECT_EQ(kept.clip.timeline, (Timeline{FrameRate{25}, 0}));
+  const Timeline other{FrameTimes{{0, 7}, 4}, 0};
   const Motion given = retimed(walk, {{0, 1.5}, other});
-  EXPECT_EQ(given.clip.timeline.value, 0.25);
-  EXPECT_EQ(given.clip.timeline.times, other.times);
+  EXPECT_EQ(given.clip.timeline, other);
 }
 
 TEST(Retime, NumbersLieOnTheStraightLine) {

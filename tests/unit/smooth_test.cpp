@@ -32,7 +32,7 @@ Motion motion_of_signal(std::size_t num_frames, Signal signal) {
   motion.skeleton.coordinates = {{0, "Xposition"}, {0, "Zrotation"}};
   motion.clip.num_frames = num_frames;
   motion.clip.num_coordinates = 2;
-  motion.clip.timeline.value = 1 / kRate;
+  motion.clip.timeline.given = FrameTime{1 / kRate};
   for (std::size_t f = 0; f < num_frames; ++f) {
     const double value = signal(static_cast<double>(f) / kRate);
     motion.clip.values.append({value, value});
@@ -148,6 +148,15 @@ TEST(Smoothed, RefusesNumbersThatAreNotFinite) {
   EXPECT_EQ(refused.error().code, "EDT008");
   EXPECT_EQ(refused.error().kind, ErrorKind::InvalidInput);
   EXPECT_EQ(refused.error().message, "Zrotation of joint 'root' is not finite in frame 4");
+}
+
+TEST(Smoothed, FramesHaveToBeEquallyFarApart) {
+  Motion motion = motion_of_signal(3, sine(1));
+  motion.clip.timeline.given = FrameTimes{{0, 0.1, 0.3}};
+  const auto refused = edit::smooth(motion, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "EDT011");
+  EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
 }
 
 TEST(Smoothed, NeedsFewFramesOrNone) {

@@ -128,7 +128,7 @@ TEST(TrajectoryOf, MotionsByJointOrChannelInTheirUnits) {
   robot.clip.num_frames = 2;
   robot.clip.num_coordinates = 10;
   robot.clip.values = {0, 0, 0, 1, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0, 1, 0, 0, 0, 0.4, 0.5, 0.6};
-  robot.clip.timeline.value = 0.0166667;  // which stands for 1/60
+  robot.clip.timeline.given = FrameTime{0.0166667};  // which stands for 1/60
   const auto trajectory = servo::trajectory_of(robot, map_of({"ARM.q", "HEAD"}), diagnostics);
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->joints, (std::vector<std::string>{"ARM.q", "HEAD"}));
@@ -180,14 +180,14 @@ TEST(TrajectoryOf, FramesWithTimesAreInterpolatedAtTicks) {
   joints.content = kJointDisplacement;
   joints.num_frames = 3;
   joints.values = {0, 3, 0};
-  joints.timeline.times = {1, 1.05, 1.1};  // three ticks up, three down
+  joints.timeline.given = FrameTimes{{1, 1.05, 1.1}};  // three ticks up, three down
   const auto trajectory = servo::trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics);
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->frame_time, 1.0 / 60);
   ASSERT_EQ(trajectory->num_frames, 7u);
   const std::vector<double> expected = {0, 1, 2, 3, 2, 1, 0};
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(trajectory->angles[i], expected[i], 1e-9);
-  joints.timeline.times = {0, 1, 1e300};
+  joints.timeline.given = FrameTimes{{0, 1, 1e300}};
   EXPECT_EQ(servo::trajectory_of(body, map_of({"ARM"}), nullptr, diagnostics).error().code,
             "KEY001");
 }
@@ -201,7 +201,7 @@ TEST(TrajectoryOf, ThereAndBackWithinTheTolerance) {
   joints.num_parts = 4;
   joints.num_frames = 240;
   joints.values = swinging(4, 240, 3).angles;
-  joints.timeline = {Timeline::Given::FrameRate, 60, 0, {}};
+  joints.timeline = {FrameRate{60}, 0};
   const auto trajectory = servo::trajectory_of(body, map, nullptr, diagnostics);
   ASSERT_TRUE(trajectory);
   const auto made = servo::keyframe(

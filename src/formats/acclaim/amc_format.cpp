@@ -79,16 +79,14 @@ Result<Found> skeleton_beside(const AmcHeader& header, const text::Source& sourc
 
 Timeline timeline_of(const AmcHeader& header, const text::Source& source,
                      const ReadOptions& options, Diagnostics& diagnostics) {
-  Timeline timeline;
-  timeline.given = Timeline::Given::FrameRate;
-  timeline.value = options.fps.value_or(header.samples_per_second.value_or(kUsualRate));
+  const double rate = options.fps.value_or(header.samples_per_second.value_or(kUsualRate));
   if (!options.fps && !header.samples_per_second) {
     text::report(source, diagnostics, Severity::Note, code::kRateAssumed,
                  "the file does not say its frame rate; 120 frames a second are assumed (--fps "
                  "says otherwise)",
                  source.text().data());
   }
-  return timeline;
+  return {FrameRate{rate}, 0};
 }
 
 /// What is kept of the file for `write`.

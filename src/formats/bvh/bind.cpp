@@ -129,7 +129,7 @@ Motion bind(File&& file, PositionMode mode) {
   motion.clip.num_frames = file.num_frames;
   motion.clip.num_coordinates = column;
   motion.clip.values = std::move(file.values);
-  motion.clip.timeline.value = file.frame_time;
+  motion.clip.timeline.given = FrameTime{file.frame_time};
   return motion;
 }
 

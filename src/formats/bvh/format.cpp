@@ -72,7 +72,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   document.extras.file["positions"] = mode == PositionMode::Add ? "add" : "replace";
   Motion motion = bind(std::move(file), mode);
   motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
-  if (options.fps) motion.clip.timeline = {Timeline::Given::FrameRate, *options.fps, 0, {}};
+  if (options.fps) motion.clip.timeline = {FrameRate{*options.fps}, 0};
   if (has_motion) {
     document.content = std::move(motion);
   } else {

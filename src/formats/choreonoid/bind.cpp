@@ -9,11 +9,9 @@ namespace kinefile::choreonoid {
 namespace {
 
 Timeline timeline_of(SeqComponent& component, std::optional<double> fps) {
-  Timeline timeline;
-  timeline.given = Timeline::Given::FrameRate;
-  timeline.value = fps ? *fps : component.frame_rate.value_or(0);
-  timeline.times = std::move(component.times);
-  return timeline;
+  const std::optional<double> rate = fps ? fps : component.frame_rate;
+  if (component.times.empty()) return {FrameRate{rate.value_or(0)}, 0};
+  return {FrameTimes{std::move(component.times), rate}, 0};
 }
 
 /// Brings quaternions with w last into the order w x y z.

@@ -31,5 +31,6 @@ inline constexpr char kSameComponent[] = "SEQ024";
 inline constexpr char kCommentsDropped[] = "SEQ025";
 inline constexpr char kRateSnapped[] = "SEQ026";
 inline constexpr char kCannotWrite[] = "SEQ027";
+inline constexpr char kRateFound[] = "SEQ028";
 
 }  // namespace kinefile::choreonoid::code

@@ -144,7 +144,8 @@ Format format() {
   return {"choreonoid", "Choreonoid's body motion: values, poses and vectors over time",
           kExtensions,  {},
           probe,        read,
-          write};
+          write,        false,
+          nullptr,      true};
 }
 
 }  // namespace kinefile::choreonoid

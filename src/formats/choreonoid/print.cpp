@@ -150,7 +150,7 @@ class SeqPrinter {
     entry(indent, key("numFrames", "num_frames"), fmt::format("{}", component.num_frames));
     if (has_parts && !has_parts_first) entry(indent, key("numParts", "num_parts"), num_parts);
     if (printed.says_relative) entry(indent, key("isRootRelative", "is_root_relative"), "true");
-    if (!component.timeline.times.empty()) {
+    if (has_own_times(component.timeline)) {
       entry(indent, key("hasFrameTime", "has_frame_time"), "true");
     }
     if (component.kind == ComponentKind::Poses) {
@@ -207,8 +207,8 @@ class SeqPrinter {
     const Array<double>& values = printed.converted.empty() ? component.values : printed.converted;
     const double* row = values.data() + frame * width * component.num_parts;
     printer_.print("[ ");
-    if (!component.timeline.times.empty()) {
-      print_number(component.timeline.times[frame]);
+    if (has_own_times(component.timeline)) {
+      print_number(own_times(component.timeline)[frame]);
       printer_.print(", ");
     }
     for (std::size_t p = 0; p < component.num_parts; ++p) {

@@ -149,15 +149,10 @@ class Resampler {
     const double last = times.back() * rate_;
     steady.num_frames = static_cast<std::size_t>(std::max(0.0, std::floor(last + kTolerance))) + 1;
     steady.values.resize(steady.num_frames * row_size_);
-    std::size_t next = 0;
     for (std::size_t f = 0; f < steady.num_frames; ++f) {
-      const double time = static_cast<double>(f) / rate_;
-      while (next < times.size() && times[next] < time) ++next;
-      const std::size_t after = std::min(next, times.size() - 1);
-      const std::size_t before = next == 0 ? 0 : next - 1;
-      const double span = times[after] - times[before];
-      const double t = span > 0 ? std::clamp((time - times[before]) / span, 0.0, 1.0) : 1.0;
-      interpolate(before, after, t, steady.values.data() + f * row_size_);
+      const auto [before, share] = position_in_time(times, static_cast<double>(f) / rate_);
+      const std::size_t after = std::min(before + 1, times.size() - 1);
+      interpolate(before, after, share, steady.values.data() + f * row_size_);
     }
     return steady;
   }
@@ -166,9 +161,9 @@ class Resampler {
     const double* a = component_.values.data() + before * row_size_;
     const double* b = component_.values.data() + after * row_size_;
     for (std::size_t i = 0; i < row_size_; ++i) {
-      out[i] = t == 0 ? a[i] : t == 1 ? b[i] : a[i] + t * (b[i] - a[i]);
+      out[i] = t == 0 ? a[i] : a[i] + t * (b[i] - a[i]);
     }
-    if (component_.kind != ComponentKind::Poses || t == 0 || t == 1) return;
+    if (component_.kind != ComponentKind::Poses || t == 0) return;
     const std::size_t width = width_of(component_);
     for (std::size_t p = 0; p < row_size_; p += width) {
       turn(component_.pose_order, {a + p, width}, {b + p, width}, t, {out + p, width});

@@ -91,9 +91,31 @@ void settle_poses(PrintedComponent& printed, int version, const WriteOptions& op
   }
 }
 
+/// The rate that is written beside frames' own times which came without one.
+Result<double> rate_beside_times(const Component& component, Diagnostics& diagnostics) {
+  const auto steady = steady_rate(own_times(component.timeline));
+  if (!steady) {
+    return fail(
+        make_error(ErrorKind::DataLoss, code::kCannotWrite,
+                   "expected a frame rate, or frames whose times rise, found neither; --fps "
+                   "says a rate"));
+  }
+  diagnostics.add(
+      steady->holds_times ? Severity::Note : Severity::Warning, code::kRateFound,
+      fmt::format(
+          "'{}' has frames at times of their own; {} frames a second are written beside them, "
+          "{}",
+          component.content, steady->per_second,
+          steady->holds_times ? "the lowest usual rate that holds them all"
+                              : "by their median step: no usual rate holds them all"));
+  return steady->per_second;
+}
+
 Result<double> settle_rate(const Component& component, Diagnostics& diagnostics) {
   const double rate = nominal_frame_rate(component.timeline);
-  if (rate == 0 && !component.timeline.times.empty()) return 0.0;
+  if (const FrameTimes* own = std::get_if<FrameTimes>(&component.timeline.given)) {
+    if (!own->per_second) return rate_beside_times(component, diagnostics);
+  }
   if (!(rate > 0) || !std::isfinite(rate)) {
     return fail(make_error(ErrorKind::DataLoss, code::kCannotWrite,
                            fmt::format("expected frames a second above 0, found {}", rate)));

@@ -51,7 +51,8 @@ Format format() {
   return {"csv",       "comma-separated values: a row a frame, a column a channel",
           kExtensions, {},
           probe,       read,
-          write,       true};
+          write,       true,
+          nullptr,     true};
 }
 
 }  // namespace kinefile::csv

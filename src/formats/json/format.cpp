@@ -83,6 +83,10 @@ void print_skeleton(text::Printer& printer, const Skeleton& skeleton) {
 void print_clip(text::Printer& printer, const Motion& motion) {
   printer.print(",\n\"frame_time\":");
   printer.print_exact(frame_time(motion.clip.timeline));
+  if (has_own_times(motion.clip.timeline)) {
+    printer.print(",\n\"times\":");
+    print_array(printer, own_times(motion.clip.timeline));
+  }
   printer.print(",\n\"columns\":");
   const std::vector<std::string> names = column_names(motion.skeleton);
   print_elements(printer, names.size(), ",",
@@ -123,9 +127,9 @@ void print_component(text::Printer& printer, const Component& component) {
   if (component.kind == ComponentKind::Poses) printer.print(",\"se3_format\":\"XYZQWQXQYQZ\"");
   printer.print(",\"is_root_relative\":");
   printer.print(component.is_root_relative ? "true" : "false");
-  if (!component.timeline.times.empty()) {
+  if (has_own_times(component.timeline)) {
     printer.print(",\"times\":");
-    print_array(printer, component.timeline.times);
+    print_array(printer, own_times(component.timeline));
   }
   printer.print(",\"frames\":");
   print_elements(printer, component.num_frames, ",\n  ",
@@ -172,8 +176,11 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"json", "JSON: skeleton, column names and values", kExtensions, {}, nullptr, nullptr,
-          write};
+  return {"json",      "JSON: skeleton, column names and values",
+          kExtensions, {},
+          nullptr,     nullptr,
+          write,       false,
+          nullptr,     true};
 }
 
 }  // namespace kinefile::json

@@ -79,7 +79,7 @@ TEST(AcclaimWrite, AZeroInACommentDoesNotMakeItUtf16) {
 TEST(AcclaimWrite, AnAssumedRateIsNotPutIntoTheFilesMouth) {
   Document document = read_document(kTwoFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
   EXPECT_EQ(write_to_string(document, "amc").find("SAMPLES"), std::string::npos);
-  std::get<Motion>(document.content).clip.timeline.value = 60;
+  std::get<Motion>(document.content).clip.timeline.given = FrameRate{60};
   EXPECT_NE(write_to_string(document, "amc").find(":SAMPLES-PER-SECOND 60\n"), std::string::npos);
 }
 

@@ -318,7 +318,7 @@ TEST(SeqWrite, ARateThatAFrameTimeWasCutOffFromIsWritten) {
   component.content = kJointDisplacement;
   component.num_frames = 1;
   component.values = {0.5};
-  component.timeline = {Timeline::Given::FrameTime, 0.0333333, 0, {}};
+  component.timeline = {FrameTime{0.0333333}, 0};
   Document document;
   document.content = BodyMotion{{component}};
   const Written written = write_seq(document);
@@ -340,7 +340,7 @@ TEST(SeqWrite, WhatIsNoBodyMotionIsRefused) {
 
 TEST(SeqWrite, ARateOfZeroIsRefused) {
   Component component;
-  component.timeline = {Timeline::Given::FrameRate, 0, 0, {}};
+  component.timeline = {FrameRate{0}, 0};
   Document document;
   document.content = BodyMotion{{component}};
   Diagnostics diagnostics;

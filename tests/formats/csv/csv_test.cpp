@@ -61,7 +61,7 @@ TEST(Csv, ReadsJointsLinksAndPoints) {
   EXPECT_EQ(components[2].content, kZmp);
   EXPECT_EQ(components[2].values[3], -7);
   EXPECT_TRUE(std::isnan(components[2].values[5]));
-  EXPECT_EQ(components[0].timeline.value, 50);
+  EXPECT_EQ(components[0].timeline, (Timeline{FrameRate{50}, 0}));
   EXPECT_EQ(components[0].num_frames, 2u);
 }
 
@@ -77,15 +77,17 @@ TEST(Csv, TheRateIsWhatTheTimesTell) {
   const auto rate_of = [](const std::string& rows, std::optional<double> fps = {}) {
     ReadOptions options;
     options.fps = fps;
-    return components_of(read_csv("time,A\n" + rows, options))[0].timeline.value;
+    return frame_rate(components_of(read_csv("time,A\n" + rows, options))[0].timeline);
   };
   EXPECT_EQ(rate_of("0,1\n0.0333,1\n0.0667,1\n0.1,1\n"), 30);
   EXPECT_EQ(rate_of("5,1\n5.5,1\n"), 2);
   EXPECT_DOUBLE_EQ(rate_of("0,1\n0.4,1\n0.8,1\n"), 2.5);
   EXPECT_EQ(rate_of("0,1\n0.4,1\n", 100), 100);
   EXPECT_EQ(rate_of("0,1\n"), 30);
+  EXPECT_EQ(rate_of("0,1\n0.017,1\n0.033,1\n0.050,1\n0.067,1\n0.083,1\n"), 60);
+  EXPECT_EQ(rate_of("0,1\n0.011,1\n0.022,1\n0.033,1\n0.044,1\n0.056,1\n0.067,1\n"), 90);
   const auto read = read_csv("time,A\n0,1\n0.1,2\n0.3,3\n");
-  EXPECT_EQ(components_of(read)[0].timeline.times, (std::vector<double>{0, 0.1, 0.3}));
+  EXPECT_EQ(own_times(components_of(read)[0].timeline), (std::vector<double>{0, 0.1, 0.3}));
 }
 
 TEST(Csv, JointsGoToTheirIdsByTheirNames) {
@@ -130,7 +132,7 @@ TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
   ASSERT_EQ(components.size(), 2u);
   EXPECT_EQ(components[0].values, components_of(seq)[1].values);
   EXPECT_EQ(components[1].values, components_of(seq)[0].values);
-  EXPECT_EQ(components[1].timeline.value, 10);
+  EXPECT_EQ(components[1].timeline, (Timeline{FrameRate{10}, 0}));
 }
 
 TEST(Csv, EveryTruncationIsReadOrRefusedWithAPlace) {

@@ -62,12 +62,12 @@ TEST(Hrpsys, ReadsASetByAnyOfItsFiles) {
     EXPECT_EQ(components[0].num_frames, 3u);
     EXPECT_EQ(components[0].values[3], 1e-3);
     EXPECT_TRUE(std::isnan(components[0].values[5]));
-    EXPECT_EQ(components[0].timeline.value, 200);
+    EXPECT_EQ(components[0].timeline, (Timeline{FrameRate{200}, 0}));
     EXPECT_EQ(components[1].pose_form, PoseForm::RollPitchYaw);
     EXPECT_EQ(components[1].values,
               (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0, 0, 0}));
     EXPECT_TRUE(components[2].is_root_relative);
-    EXPECT_EQ(components[2].timeline.value, 10);
+    EXPECT_EQ(components[2].timeline, (Timeline{FrameRate{10}, 0}));
   }
 }
 

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/words.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/edit.hpp"
 
@@ -11,6 +14,9 @@ namespace {
 
 /// A figure whose rest pose is larger than this is taken to be measured in centimetres.
 constexpr double kTallestInMetres = 10;
+
+constexpr const char* kZIsUp =
+    "z points up in a body motion of a robot, whatever --up says: the joints' values stay";
 
 /// What one unit of a motion's lengths is in metres, guessed where the file does not say.
 double settle_unit(const Skeleton& skeleton, Diagnostics& diagnostics) {
@@ -34,6 +40,22 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   return edit::up(motion, up, diagnostics);
 }
 
+/// Tells of the values of joint ids that no joint of the robot has, which poses do not show.
+void tell_unread(const Motion& motion, Diagnostics& diagnostics) {
+  const std::vector<std::size_t> num_readers = num_readers_of_columns(motion.skeleton);
+  std::vector<std::string> ids;
+  for (std::size_t c = kRootColumns; c < num_readers.size(); ++c) {
+    const bool is_lost = num_readers[c] == 0 && !is_always(motion.clip, c, 0);
+    if (is_lost) ids.push_back(fmt::format("{}", c - kRootColumns));
+  }
+  if (ids.empty()) return;
+  diagnostics.add(
+      Severity::Warning, "CNV008",
+      fmt::format("the values of joint ids that no joint of the robot has are left out: "
+                  "{}",
+                  listed(ids)));
+}
+
 Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
                            Diagnostics& diagnostics) {
   if (options.model == nullptr) {
@@ -42,6 +64,7 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
   }
   const auto posed = robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics);
   if (!posed) return fail(posed.error());
+  if (*options.form == robot::BodyForm::Links) tell_unread(*posed, diagnostics);
   if (!robot::is_robot(posed->skeleton)) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a root pose with a quaternion for --form; convert it with "
@@ -61,6 +84,30 @@ robot::RobotNames names_of(const KindOptions& options) {
   return names;
 }
 
+bool has_joint(const Skeleton& skeleton, const std::string& name) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
+                     [&name](const Joint& joint) { return lowered(joint.name) == lowered(name); });
+}
+
+/// \errors CNV007 (Usage) for an entry of a map whose names are no link or joint of the robot, or
+/// no joint of the figure
+Result<void> expect_known(const robot::RobotNames& names, const Skeleton& figure,
+                          const Skeleton& robot) {
+  for (const auto& [name, source] : names.source_of) {
+    const bool is_link =
+        std::any_of(robot.joints.begin(), robot.joints.end(),
+                    [&key = name](const Joint& joint) { return joint.name == key; }) ||
+        std::any_of(names.joint_of_link.begin(), names.joint_of_link.end(),
+                    [&key = name](const auto& entry) { return entry.second == key; });
+    if (is_link && has_joint(figure, source)) continue;
+    return fail(ErrorKind::Usage, "CNV007",
+                fmt::format("the line '{}: {}' of the map has no effect: there is no {} '{}'", name,
+                            source, is_link ? "joint of the motion" : "link or joint of the robot",
+                            is_link ? source : name));
+  }
+  return {};
+}
+
 Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
   const bool is_of_robot = robot::is_robot(motion.skeleton);
   const bool wants_joints = options.form && *options.form != robot::BodyForm::Links;
@@ -74,8 +121,11 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
   if (is_of_robot || !wants_joints || options.model == nullptr) {
     return robot::project(motion, options.form.value_or(usual), nullptr, diagnostics);
   }
-  auto body =
-      robot::onto_robot(motion, skeleton_of(*options.model), names_of(options), diagnostics);
+  const robot::RobotNames names = names_of(options);
+  if (auto known = expect_known(names, motion.skeleton, skeleton_of(*options.model)); !known) {
+    return fail(std::move(known.error()));
+  }
+  auto body = robot::onto_robot(motion, skeleton_of(*options.model), names, diagnostics);
   if (!body || *options.form == robot::BodyForm::Joints) return body;
   return in_form(*body, options, diagnostics);
 }
@@ -101,6 +151,7 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                    ? robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
                    : robot::motion_of_links(body);
   if (!posed) return posed;
+  tell_unread(*posed, diagnostics);
   return turned_up(robot::without_free_joints(*posed), 1, options, diagnostics);
 }
 
@@ -118,8 +169,11 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
                          component.num_parts + kRootColumns <= robot.coordinates.size();
     if (!has_ids) continue;
     names.clear();
+    const std::vector<std::size_t> num_readers = num_readers_of_columns(robot);
     for (std::size_t id = 0; id < component.num_parts; ++id) {
-      names.push_back(robot.joints[robot.coordinates[kRootColumns + id].joint].name);
+      const std::size_t column = kRootColumns + id;
+      names.push_back(num_readers[column] > 0 ? robot.joints[robot.coordinates[column].joint].name
+                                              : fmt::format("joint{}", id));
     }
   }
   return body;
@@ -158,53 +212,164 @@ Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
   return zmp == nullptr ? made : robot::zmp(*made, true, diagnostics);
 }
 
+/// Whether a format takes body motions and nothing else of a robot's or a figure's.
+bool takes_bodies_alone(const Conventions& conventions) {
+  return conventions.writes.body_motions && !conventions.writes.motions;
+}
+
+bool takes_flows_alone(const Conventions& conventions) {
+  const Kinds& writes = conventions.writes;
+  return writes.flows && !writes.motions && !writes.skeletons && !writes.body_motions;
+}
+
+/// A body motion as a motion whose columns are its components' values.
+Result<Document> as_columns(Document document, const BodyMotion& body, const Skeleton* robot,
+                            Diagnostics& diagnostics) {
+  const BodyMotion named = robot == nullptr ? body : with_names_of(body, *robot);
+  document.content = robot::motion_of_components(named, diagnostics);
+  document.extras = {};
+  document.format.clear();
+  return document;
+}
+
+/// A motion or a skeleton with the axis up that was asked for.
+Result<Document> with_up_axis(Document document, const KindOptions& options,
+                              Diagnostics& diagnostics) {
+  if (!options.up) return document;
+  Motion motion{skeleton_of(document), {}};
+  motion.clip.num_coordinates = motion.skeleton.coordinates.size();
+  Motion* const moving = std::get_if<Motion>(&document.content);
+  if (moving != nullptr) motion = std::move(*moving);
+  auto turned = turned_up(std::move(motion), *options.up, options, diagnostics);
+  if (!turned) return fail(std::move(turned.error()));
+  if (moving != nullptr) {
+    document.content = std::move(*turned);
+  } else {
+    document.content = std::move(turned->skeleton);
+  }
+  return document;
+}
+
+/// Brings a motion or a skeleton into a kind that the format can write.
+Result<Document> motion_for(const Conventions& conventions, Document document,
+                            const KindOptions& options, Diagnostics& diagnostics) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  const bool wants_columns = conventions.has_columns_of_components && options.form && motion;
+  if (!takes_bodies_alone(conventions) && !wants_columns) {
+    return with_up_axis(std::move(document), options, diagnostics);
+  }
+  if (motion == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a motion to make a body motion of, found a skeleton alone"));
+  }
+  if (options.up == std::size_t{1} && robot::is_robot(motion->skeleton)) {
+    return fail(ErrorKind::Usage, "CNV007", kZIsUp);
+  }
+  auto body = body_of(*motion, options, diagnostics);
+  if (!body) return fail(std::move(body.error()));
+  if (wants_columns) {
+    const Skeleton own = motion->skeleton;
+    const Skeleton* robot = options.model != nullptr ? &skeleton_of(*options.model) : &own;
+    return as_columns(std::move(document), *body, robot, diagnostics);
+  }
+  document.content = std::move(*body);
+  return document;
+}
+
+/// Brings a body motion into a kind that the format can write.
+Result<Document> body_for(const Conventions& conventions, Document document,
+                          const KindOptions& options, Diagnostics& diagnostics) {
+  BodyMotion body = *std::get_if<BodyMotion>(&document.content);
+  const bool stays = conventions.writes.body_motions;
+  if (stays && options.up == std::size_t{1}) {
+    return fail(ErrorKind::Usage, "CNV007", kZIsUp);
+  }
+  if (options.form && (takes_bodies_alone(conventions) || conventions.has_columns_of_components)) {
+    auto formed = in_form(body, options, diagnostics);
+    if (!formed) return fail(std::move(formed.error()));
+    body = std::move(*formed);
+  }
+  if (conventions.has_columns_of_components) {
+    return as_columns(std::move(document), body,
+                      options.model == nullptr ? nullptr : &skeleton_of(*options.model),
+                      diagnostics);
+  }
+  if (stays) {
+    document.content = std::move(body);
+    return document;
+  }
+  document.extras = {};
+  document.format.clear();
+  auto motion = motion_of(body, options, diagnostics);
+  if (!motion) return fail(std::move(motion.error()));
+  document.content = std::move(*motion);
+  return document;
+}
+
+Error no_way(const Document& document) {
+  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+  return make_error(
+      ErrorKind::Usage, "CNV006",
+      is_flow ? "a flow of poses has no motion until it is run: 'kinefile run' with a servo map "
+                "makes one"
+              : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo map");
+}
+
+/// Whether the motion goes onto the joints of the model.
+bool goes_onto_joints(const Conventions& conventions, const Document& document,
+                      const KindOptions& options) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  const bool has_place = takes_bodies_alone(conventions) || conventions.has_columns_of_components;
+  if (motion == nullptr || robot::is_robot(motion->skeleton) || !has_place) return false;
+  return options.form ? *options.form != robot::BodyForm::Links : conventions.is_root_and_joints;
+}
+
 }  // namespace
+
+bool uses_model(const Format& format, const Document& document, const KindOptions& options) {
+  if (!std::holds_alternative<BodyMotion>(document.content)) {
+    return goes_onto_joints(format.conventions, document, options);
+  }
+  return !format.conventions.writes.body_motions || format.conventions.is_root_and_joints ||
+         options.form;
+}
 
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics) {
-  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
-  const bool takes_flows = format.name == "csv" || format.name == "json";
-  if (is_flow != (format.name == "robovie") && !(is_flow && takes_flows)) {
-    return fail(make_error(
-        ErrorKind::Usage, "CNV006",
-        is_flow ? "a flow of poses has no motion until it is run: 'kinefile run' with a servo map "
-                  "makes one"
-                : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo "
-                  "map"));
+  const Conventions& conventions = format.conventions;
+  if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
+  if (options.model != nullptr && !has_skeleton(*options.model)) {
+    return fail(wrong_kind(*options.model, "a robot as the model"));
   }
-  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
-  const Motion* motion = std::get_if<Motion>(&document.content);
-  const auto put = [&](auto&& made) -> Result<Document> {
-    if (!made) return fail(std::move(made.error()));
-    document.content = std::move(*made);
-    return std::move(document);
-  };
-  if (is_flow) {
-    // A table has a row a pose, each with its next and break.
-    const auto wanted =
-        format.name == "csv" ? std::optional(FlowFormat::WordN) : options.flow_format;
+  const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
+  if (flow != nullptr ? !conventions.writes.flows : takes_flows_alone(conventions)) {
+    return fail(no_way(document));
+  }
+  const bool is_onto_joints =
+      options.model != nullptr && goes_onto_joints(conventions, document, options);
+  if (!options.joint_map.empty() && !is_onto_joints) {
+    return fail(
+        ErrorKind::Usage, "CNV007",
+        "a map of joints has no effect here: it is for a motion that goes onto the joints of "
+        "a robot (--form joints or both, and a robot)");
+  }
+  if (flow != nullptr) {
+    const auto wanted = conventions.flow_format ? conventions.flow_format : options.flow_format;
     if (!wanted) return document;
-    return put(flow::in_format(std::get<PoseFlow>(document.content), *wanted, diagnostics));
+    auto formed = flow::in_format(*flow, *wanted, diagnostics);
+    if (!formed) return fail(std::move(formed.error()));
+    document.content = std::move(*formed);
+    return document;
   }
-  if (format.name == "hrpsys") return put(set_of(document, options, diagnostics));
-  if (format.name == "choreonoid") {
-    if (body != nullptr && !options.form) return document;
-    if (body != nullptr) return put(in_form(*body, options, diagnostics));
-    if (motion != nullptr) return put(body_of(*motion, options, diagnostics));
-    return fail(make_error(ErrorKind::Usage, "CNV002",
-                           "expected a motion to write as .seq, found a skeleton alone"));
+  if (conventions.is_root_and_joints) {
+    auto set = set_of(document, options, diagnostics);
+    if (!set) return fail(std::move(set.error()));
+    document.content = std::move(*set);
+    return document;
   }
-  if (body == nullptr || format.name == "json") return document;
-  document.extras = {};
-  document.format.clear();
-  if (format.name == "csv" && options.model != nullptr) {
-    return put(Result<Motion>(robot::motion_of_components(
-        with_names_of(*body, skeleton_of(*options.model)), diagnostics)));
-  }
-  if (format.name == "csv") {
-    return put(Result<Motion>(robot::motion_of_components(*body, diagnostics)));
-  }
-  return put(motion_of(*body, options, diagnostics));
+  return std::holds_alternative<BodyMotion>(document.content)
+             ? body_for(conventions, std::move(document), options, diagnostics)
+             : motion_for(conventions, std::move(document), options, diagnostics);
 }
 
 }  // namespace kinefile

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "folders.hpp"
 #include "json_output.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -134,6 +136,23 @@ void report(const InputFile& file, const Diagnostics& diagnostics, const Check& 
   }
 }
 
+/// Checks a file, or those of a folder. Returns the exit code, no better than the one given.
+int check_path(const std::string& path, const Check& check, const Globals& globals, Json& all,
+               int exit_code) {
+  const std::vector<InputFile> files = with_files_of_folders({path});
+  for (const InputFile& file : files) {
+    const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
+    report(file, diagnostics, check, globals, all);
+  }
+  const bool is_any_known =
+      std::any_of(files.begin(), files.end(), [](const InputFile& file) { return file.is_known; });
+  if (is_any_known) return exit_code;
+  return worse(
+      exit_code,
+      usage_error(globals,
+                  fmt::format("the folder '{}' holds no file of a format that can be read", path)));
+}
+
 int run(const Check& check, const Globals& globals) {
   int exit_code = kDone;
   Json all = Json::array();
@@ -146,13 +165,11 @@ int run(const Check& check, const Globals& globals) {
     report({check.reading.project}, diagnostics, check, globals, all);
   }
   if (exit_code == kDone) {
-    for (const InputFile& file : with_files_of_folders(check.files)) {
-      const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
-      report(file, diagnostics, check, globals, all);
-    }
+    for (const std::string& path : check.files)
+      exit_code = check_path(path, check, globals, all, exit_code);
   }
   if (check.is_json) print_json(all);
-  return exit_code;
+  return finish_reading(check.reading, globals, exit_code);
 }
 
 }  // namespace

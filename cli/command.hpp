@@ -47,6 +47,10 @@ struct Reading {
   std::optional<double> fps;
   bool is_lenient = false;
   bool is_strict = false;
+  const CLI::App* command = nullptr;  ///< that was given these options
+  /// The formats of the files that were read so far, each once, and whether `skeleton` was one.
+  mutable std::vector<const Format*> formats;
+  mutable bool is_skeleton_used = false;
 };
 
 /// What is wrong with a text as frames a second; empty if nothing is.

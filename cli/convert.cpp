@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "command.hpp"
+#include "options.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
@@ -29,7 +30,8 @@ shape::ChannelOptions channels_of(const Convert& convert) {
 int run(Convert& convert, const Globals& globals) {
   const Format* format = output_format(convert.writing);
   if (format == nullptr) return no_output_format(convert.writing, globals);
-  if (format->name == "robovie") {  // whose encoding is told by its bytes
+  // The bytes of the input tell its encoding.
+  if (has_option(format->write_options, "encoding")) {
     convert.writing.format.encoding = std::exchange(convert.reading.encoding, {});
   }
   if (convert.reading.in_degrees && convert.reading.project.empty()) {

@@ -8,6 +8,7 @@
 #include "diff_components.hpp"
 #include "diff_flows.hpp"
 #include "json_output.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -61,7 +62,7 @@ Json motions_json(const Diff& diff, const MotionComparison& comparison) {
 Motion motion_of(Document&& document) {
   if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
   Motion rest;
-  rest.skeleton = std::get<Skeleton>(std::move(document.content));
+  rest.skeleton = skeleton_of(document);
   rest.clip = rest_clip(rest.skeleton);
   return rest;
 }
@@ -82,6 +83,8 @@ int run(const Diff& diff, const Globals& globals) {
   auto first = load(diff.first, diff.reading, globals, exit_code);
   auto second = load(diff.second, diff.reading, globals, exit_code);
   if (!first || !second) return exit_code;
+  exit_code = finish_reading(diff.reading, globals, exit_code);
+  if (exit_code != kDone) return exit_code;
   const BodyMotion* a = std::get_if<BodyMotion>(&first->content);
   const BodyMotion* b = std::get_if<BodyMotion>(&second->content);
   if (a != nullptr && b != nullptr) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -135,6 +136,7 @@ int compare(const Fk& fk, const BodyMotion* body, const Globals& globals) {
                                                         fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (!deviations) return report(deviations.error(), diagnostics, fk.file, globals);
+  if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   std::string text = "link,distance,distance_frame,degrees,degrees_frame\n";
   for (const robot::LinkDeviation& deviation : *deviations) {
     text += fmt::format("{},{},{},{},{}\n", deviation.link, deviation.distance,
@@ -162,6 +164,7 @@ int run(const Fk& fk, const Globals& globals) {
   print_diagnostics(stderr, diagnostics, globals);
   if (!motion) return report(motion.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
+  if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   const Skeleton& skeleton = motion->skeleton;
   if (std::holds_alternative<Skeleton>(document->content) && !fk.is_rest) {
     return usage_error(globals, fmt::format("'{}' holds a skeleton alone; --rest shows its rest "

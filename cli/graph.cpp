@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -18,6 +19,7 @@ int run(const Graph& graph, const Globals& globals) {
   int exit_code = kDone;
   const auto flow = load_flow(graph.file, graph.reading, globals, exit_code);
   if (!flow) return exit_code;
+  if (finish_reading(graph.reading, globals, kDone) != kDone) return kUsage;
   auto out = OutputFile::create(graph.out, graph.may_replace);
   if (out) out->write(flow::graph(*flow));
   const auto committed = out ? out->commit() : Result<void>(fail(out.error()));

@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "info_flow.hpp"
 #include "json_output.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -127,7 +128,7 @@ std::string component_text(const Component& component) {
 std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
   std::string dialect = dialect_of(document);
-  if (document.format == "choreonoid") {
+  if (document.extras.file.count("keys") > 0) {
     const std::string version = extra(document, "version");
     dialect = fmt::format("format version {}, {}, {} style, {}",
                           version.empty() ? "1 (not said)" : version, extra(document, "keys"),
@@ -270,7 +271,7 @@ void tell_flow(const std::string& name, const Document& document, const Info& in
     return;
   }
   print_data(flow_text(name, document));
-  if (info.has_poses) print_data(poses_text(std::get<PoseFlow>(document.content), project));
+  if (info.has_poses) print_data(poses_text(*std::get_if<PoseFlow>(&document.content), project));
 }
 
 int run(const Info& info, const Globals& globals) {
@@ -299,7 +300,7 @@ int run(const Info& info, const Globals& globals) {
     }
   }
   if (info.is_json) print_json(all);
-  return exit_code;
+  return finish_reading(info.reading, globals, exit_code);
 }
 
 }  // namespace

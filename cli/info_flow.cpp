@@ -66,7 +66,7 @@ Json pose_json(const PoseBlock& pose, const RobotProject* project) {
 }  // namespace
 
 std::string flow_text(const std::string& path, const Document& document) {
-  const PoseFlow& flow = std::get<PoseFlow>(document.content);
+  const PoseFlow& flow = *std::get_if<PoseFlow>(&document.content);
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", key, value);
@@ -88,7 +88,7 @@ std::string flow_text(const std::string& path, const Document& document) {
 
 Json flow_json(const std::string& path, const Document& document, bool with_poses,
                const RobotProject* project) {
-  const PoseFlow& flow = std::get<PoseFlow>(document.content);
+  const PoseFlow& flow = *std::get_if<PoseFlow>(&document.content);
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
   for (const auto& [key, value] : document.extras.file) json[key] = value;
   json["flow_format"] = header_word(flow.format);

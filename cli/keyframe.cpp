@@ -6,6 +6,7 @@
 
 #include "json_output.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "servo.hpp"
 #include "writing.hpp"
@@ -108,10 +109,14 @@ int run(const Keyframe& keyframe, const Globals& globals) {
     if (!diagnostics.has_errors()) print_error(error, globals);
     return static_cast<int>(exit_code_of(error));
   };
+  if (const auto effect = expect_options_of(keyframe.reading, format); !effect) {
+    return finish(effect.error());
+  }
   const auto map = load_servo_map(keyframe.servo_map, diagnostics);
   if (!map) return finish(map.error());
   const auto made = make(keyframe, *document, *map, diagnostics);
   if (!made) return finish(made.error());
+  if (const auto used = expect_skeleton_used(keyframe.reading); !used) return finish(used.error());
   if (diagnostics.has_errors()) return finish(diagnostics.first_error());
   Document flow;
   flow.content = made->flow;

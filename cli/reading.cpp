@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command.hpp"
@@ -53,6 +54,7 @@ std::string check_rate(const std::string& text) {
 }
 
 void add_reading_options(CLI::App& command, Reading& reading) {
+  reading.command = &command;
   command.add_option("--from", reading.from, "Format of the input; else its content and name tell")
       ->check(CLI::IsMember(readable_formats()))
       ->type_name("FORMAT");
@@ -106,6 +108,27 @@ void add_reading_options(CLI::App& command, Reading& reading) {
   command.add_flag("--strict", reading.is_strict, "Take warnings for errors");
 }
 
+namespace {
+
+void add_format(const Reading& reading, const Format* format) {
+  if (format == nullptr) return;
+  auto& known = reading.formats;
+  if (std::find(known.begin(), known.end(), format) == known.end()) known.push_back(format);
+}
+
+/// Keeps in mind what format a file had; of one that could not be read, what it was to be.
+void note_format(const std::string& path, const Reading& reading, const Format* asked,
+                 const Result<Document>& document) {
+  const Format* format = document ? find_format(document->format) : asked;
+  if (format == nullptr) format = format_of_name(path);
+  add_format(reading, format);
+  if (format == nullptr || !format->takes_skeleton || reading.skeleton.empty()) return;
+  reading.is_skeleton_used = true;
+  add_format(reading, format_of_name(reading.skeleton));
+}
+
+}  // namespace
+
 Result<Document> load_quietly(const std::string& path, const Reading& reading,
                               Diagnostics& diagnostics) {
   diagnostics.warnings_are_errors = reading.is_strict;
@@ -126,7 +149,9 @@ Result<Document> load_quietly(const std::string& path, const Reading& reading,
   options.in_degrees = reading.in_degrees;
   options.is_relative = reading.is_relative;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
-  return read_file(path, format, options, diagnostics);
+  auto document = read_file(path, format, options, diagnostics);
+  note_format(path, reading, format, document);
+  return document;
 }
 
 std::optional<Document> load(const std::string& path, const Reading& reading,
@@ -147,6 +172,8 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
   skeleton_reading.encoding.clear();
   skeleton_reading.skeleton.clear();
   auto skeleton = load_quietly(reading.skeleton, skeleton_reading, diagnostics);
+  reading.is_skeleton_used = true;
+  for (const Format* format : skeleton_reading.formats) add_format(reading, format);
   if (!skeleton) return fail(std::move(skeleton.error()));
   if (!has_skeleton(*skeleton)) {
     return fail(make_error(ErrorKind::Usage, "CLI001",
@@ -188,7 +215,7 @@ Result<Motion> motion_in_world(Document& document, const Reading& reading,
                            "expected a motion, found a flow of poses; 'kinefile run' with a servo "
                            "map makes a motion of it"));
   }
-  const BodyMotion& body = std::get<BodyMotion>(document.content);
+  const BodyMotion& body = *std::get_if<BodyMotion>(&document.content);
   const auto model = load_skeleton(reading, diagnostics);
   if (!model) return fail(model.error());
   if (!*model) return robot::motion_of_links(body);

@@ -38,7 +38,8 @@ int run(const Resample& resample, const Globals& globals) {
   if (BodyMotion* body = std::get_if<BodyMotion>(&document->content)) {
     return resample_body(*body, resample, std::move(*document), diagnostics, globals);
   }
-  auto map = retime::resample_map(std::get<Motion>(document->content).clip, resample.frame_rate);
+  auto map =
+      retime::resample_map(std::get_if<Motion>(&document->content)->clip, resample.frame_rate);
   return finish_retiming(std::move(map), std::move(*document), resample.file, resample.retiming,
                          diagnostics, globals);
 }

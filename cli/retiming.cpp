@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -72,7 +73,7 @@ std::optional<Document> load_motion(const std::string& path, const Reading& read
 
 Clip clip_of(const Document& document) {
   if (const Motion* motion = std::get_if<Motion>(&document.content)) return motion->clip;
-  const Component& main = *main_component(std::get<BodyMotion>(document.content));
+  const Component& main = *main_component(*std::get_if<BodyMotion>(&document.content));
   Clip clip;
   clip.num_frames = main.num_frames;
   clip.timeline = main.timeline;
@@ -84,6 +85,7 @@ int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std:
   const Format* format = output_format(retiming.writing, document);
   if (format == nullptr) return no_output_format(retiming.writing, globals);
   if (map && retiming.prints_table) {
+    if (finish_reading(retiming.reading, globals, kDone) != kDone) return kUsage;
     print_diagnostics(stderr, diagnostics, globals);
     print_table(*map);
     return kDone;

@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "run_inputs.hpp"
 #include "run_output.hpp"
@@ -115,15 +116,25 @@ std::string misuse(const Run& run) {
     return "--degrees needs --project, which says what words mean";
   }
   if (run.is_relative && !run.in_degrees) return "--relative needs --degrees";
+  const bool has_sliders = run.is_trace || run.servo_map.empty();
+  if (run.in_degrees && (run.is_trace || !has_sliders)) {
+    return "--degrees has no effect: it is for sliders, without --servo-map and --trace";
+  }
+  if (has_sliders && !run.reading.skeleton.empty()) {
+    return "--skeleton has no effect without a motion of joints, by --servo-map";
+  }
+  if (has_sliders && run.writing.decimals) {
+    return "--decimals has no effect without a motion of joints, by --servo-map";
+  }
   if (run.is_trace) return {};
   const Format* format = format_of(run);
   if (format == nullptr) {
     return fmt::format("'{}' shows no format by its name; --to names it", run.writing.out);
   }
-  constexpr std::string_view kWithoutSkeleton[] = {"csv", "choreonoid", "hrpsys", "json"};
-  const bool needs_skeleton = std::find(std::begin(kWithoutSkeleton), std::end(kWithoutSkeleton),
-                                        format->name) == std::end(kWithoutSkeleton);
-  if (needs_skeleton && run.reading.skeleton.empty()) {
+  const Conventions& conventions = format->conventions;
+  const bool takes_components =
+      conventions.writes.body_motions || conventions.has_columns_of_components;
+  if (!takes_components && run.reading.skeleton.empty()) {
     return fmt::format("{} needs --skeleton, the robot or figure whose joints the servos turn",
                        format->name);
   }
@@ -197,6 +208,11 @@ int run_command(const Run& run, const Globals& globals) {
   int exit_code = kDone;
   const auto flow = load_flow(run.file, run.reading, globals, exit_code);
   if (!flow) return exit_code;
+  const Format* output = run.is_trace ? nullptr : format_of(run);
+  if (const auto effect = expect_options_of(run.reading, output); !effect) {
+    print_error(effect.error(), globals);
+    return kUsage;
+  }
   Diagnostics noticed;
   const auto execution = execute(run, *flow, noticed);
   if (!execution) return report_run(run, noticed, fail(execution.error()), globals);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
@@ -69,10 +70,11 @@ Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostic
 /// The skeleton or robot that an option names, read when it is needed.
 DocumentSource source_of(const std::string& path, const Reading& reading) {
   if (path.empty()) return {};
-  return [path, reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
-    Reading of_skeleton = reading;
-    of_skeleton.skeleton = path;
-    auto loaded = load_skeleton(of_skeleton, diagnostics);
+  return [path, &reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
+    Reading of_robot = reading;
+    of_robot.skeleton = path;
+    const bool is_named = path == reading.skeleton;
+    auto loaded = load_skeleton(is_named ? reading : of_robot, diagnostics);
     if (!loaded) return fail(std::move(loaded.error()));
     return std::make_shared<const Document>(std::move(**loaded));
   };
@@ -102,6 +104,7 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   options.decimals = writing.decimals;
   auto adapted = adapt(std::move(document), format, *adapting, options, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
+  if (auto used = expect_skeleton_used(reading); !used) return used;
   return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
 }
 
@@ -110,6 +113,7 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
 int write_document(Result<void> made, Document&& document, const Format& format,
                    const Writing& writing, const std::string& source, const Reading& reading,
                    Diagnostics& diagnostics, const Globals& globals) {
+  if (made) made = expect_options_of(reading, &format);
   if (made) made = write_adapted(std::move(document), format, writing, reading, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (made) return kDone;

@@ -17,7 +17,8 @@ namespace kinefile {
 /// Formats that write anything leave the document as it is.
 /// \param channels  other channels that the motion is to have; its `lenient` leaves out what cannot
 ///                  be said, with a warning each
-/// \errors those of bridge.hpp and of `shape::with_channels`
+/// \errors those of shape.hpp; DOC001 (Usage) if a document without a skeleton is to have other
+///         channels, or a format of skeletons is to take it
 Result<Document> adapted_to(const Format& format, Document document,
                             const shape::ChannelOptions& channels, Diagnostics& diagnostics);
 
@@ -36,21 +37,34 @@ struct KindOptions {
 
 /// Brings a document into a kind that a format can write: a motion for BVH, ASF, AMC and CSV, a
 /// body motion for .seq; a flow goes into the format that is asked for. What had to be taken for
-/// granted is told in notes. \errors those of body_bridge.hpp and of `flow::in_format`; CNV002
-/// (Usage) if there is no way
+/// granted is told in notes.
+/// \errors those of robot.hpp and of `flow::in_format`; CNV002 and CNV006 (Usage) if there is no
+/// way;
+///         CNV007 (Usage) if the map, or a line of it, or the axis has no effect; DOC001 (Usage)
+///         for a model that is none
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics);
 
 /// Interpolates frames that have times of their own to a steady rate (see `retime::rate_for`) where
-/// a format has no place for such times, and tells the rate (CNV007); a warning where no usual rate
+/// a format has no place for such times, and tells the rate (CNV009); a warning where no usual rate
 /// holds them. Components of a body motion get one rate and begin together. `in_kind_of` and
 /// `adapted_to` do so first.
 /// \errors those of `retime::with_steady_rate`; RTM002 (Usage) where no rate can be found
 Result<Document> at_steady_rate(const Format& format, Document document, bool lenient,
                                 Diagnostics& diagnostics);
 
-/// Whether two documents are written alike in a format: whether a motion still fits the skeleton
-/// that it was read with, say.
+/// Whether `in_kind_of` has a use for a model of the robot.
+bool uses_model(const Format& format, const Document& document, const KindOptions& options);
+
+/// Reads the motion of a file: see `read_file`. A body motion becomes the motion of its links.
+/// \errors those of `read_file`; DOC001 (Usage) for a skeleton alone and a flow, BRG010 (Usage) for
+/// a
+///         body motion without poses of links
+Result<Motion> read_motion(const std::string& path, Diagnostics& diagnostics,
+                           const ReadOptions& options = {});
+
+/// Whether two documents are written alike in a format but for line ends: whether a motion still
+/// fits the skeleton that it was read with, say.
 bool are_written_alike(const Format& format, const Document& a, const Document& b);
 
 /// Puts a document's motion on another skeleton (see `shape::onto_skeleton`), with what that one's

@@ -8,6 +8,7 @@
 #include "kinefile/body_motion.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/pose_flow.hpp"
+#include "kinefile/result.hpp"
 
 namespace kinefile {
 
@@ -28,8 +29,28 @@ struct Document {
 /// The word for what a document holds: "motion", "skeleton", "body_motion" or "pose_flow".
 std::string_view kind_name(const Document& document);
 
-/// The skeleton of a motion, or the skeleton itself. A body motion and a flow have
-/// none: a precondition.
+/// A set of kinds of documents.
+struct Kinds {
+  bool motions = false;
+  bool skeletons = false;
+  bool body_motions = false;
+  bool flows = false;
+};
+
+/// Whether a document is of one of these kinds.
+bool contains(const Kinds& kinds, const Document& document);
+
+/// The error of a document of a kind that something does not take: DOC001 (Usage).
+/// \param wanted  what was expected: "a motion to write as AMC"
+Error wrong_kind(const Document& document, std::string_view wanted);
+
+/// Checks what every function of documents relies on: see `validate` of a skeleton and of a motion;
+/// the components of a body motion have as many values as they say.
+/// \errors MDL001 or MDL002 (InvalidInput)
+Result<void> validate(const Document& document);
+
+/// The skeleton of a motion, or the skeleton itself; one without joints for a body motion and a
+/// flow, which have none.
 const Skeleton& skeleton_of(const Document& document);
 
 /// The motion of a document, or its skeleton as a motion without frames. Precondition:

@@ -83,7 +83,9 @@ Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
 
 /// Gives a joint another name, in the skeleton and in what its format keeps of it. Of a name that
 /// several joints have, all of them.
-/// \errors EDT006 (Usage) if the old name is no joint's, or the new one is another's or empty
+/// \errors EDT006 (Usage) if the old name is no joint's, or the new one is another's or empty;
+/// DOC001
+///         (Usage) for a document without a skeleton
 Result<void> rename(Document& document, const std::string& old_name, const std::string& new_name);
 
 /// The motion without what changes faster than a cut-off frequency: a Butterworth filter of second

@@ -100,6 +100,24 @@ struct WriteOptions {
   bool is_relative = false;  ///< degrees from the base pose on
 };
 
+/// What the rest must know of a format's files to bring a document into it.
+struct Conventions {
+  Kinds writes = {};   ///< the kinds that `Format::write` takes
+  std::size_t up = 1;  ///< the axis that is to point up in what is written, 1 y or 2 z
+  std::optional<AngleUnit> angle_unit = std::nullopt;  ///< absent: either
+  bool turns_at_rest = true;                           ///< whether joints may have rest rotations
+  /// Whether a joint is a bone with one end, where all of its children are.
+  bool has_one_end = false;
+  /// Whether a body motion becomes a motion by its components, a column a value, not by its links.
+  bool has_columns_of_components = false;
+  /// Whether a body motion is the root's pose, the joints and a ZMP relative to the root.
+  bool is_root_and_joints = false;
+  std::optional<FlowFormat> flow_format = std::nullopt;  ///< the one that flows have; absent: any
+  /// Whether it has a place for times of single frames; a motion that goes into another format is
+  /// interpolated to a steady rate first.
+  bool keeps_times = false;
+};
+
 /// Takes the next piece of the output; returns false to stop.
 using Sink = std::function<bool(std::string_view)>;
 
@@ -108,17 +126,18 @@ struct Format {
   std::string_view name;
   std::string_view description;
   std::span<const std::string_view> extensions;  ///< with the dot, lower case, the usual one first
-  std::string_view companion;  ///< the format of a file that is written beside: "asf" for "amc"
+  std::string_view companion =
+      {};  ///< the format of a file that is written beside: "asf" for "amc"
 
   /// Tells whether a file that starts with these bytes is surely of this format; null: never.
-  bool (*probe)(std::string_view head);
+  bool (*probe)(std::string_view head) = nullptr;
 
   /// Reads a document; null where the format is only written. On failure every error is in
   /// `diagnostics`, and the first of them is returned.
-  Result<Document> (*read)(std::string_view bytes, const ReadOptions&, Diagnostics&);
+  Result<Document> (*read)(std::string_view bytes, const ReadOptions&, Diagnostics&) = nullptr;
 
   /// Writes a document; null where the format is only read.
-  Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&);
+  Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&) = nullptr;
 
   bool takes_skeleton = false;  ///< whether reading asks for `ReadOptions::skeleton`
 
@@ -126,9 +145,12 @@ struct Format {
   /// something for the one with this extension. `write` is called for each (`WriteOptions::part`).
   bool (*has_part)(const Document&, std::string_view extension) = nullptr;
 
-  /// Whether it has a place for times of single frames; a motion that goes into another is
-  /// interpolated to a steady rate first.
-  bool keeps_times = false;
+  /// The options that mean something for reading and for writing this format, by the names of the
+  /// command's flags without their dashes: an option that is in neither table of the formats at
+  /// hand has no effect. Those of every format (lenient) are in none.
+  std::span<const std::string_view> read_options = {};
+  std::span<const std::string_view> write_options = {};
+  Conventions conventions = {};
 };
 
 /// Every format, in the order in which they are probed and listed.

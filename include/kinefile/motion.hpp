@@ -12,4 +12,9 @@ struct Motion {
   Clip clip;
 };
 
+/// Checks what every other function relies on: the skeleton is valid, the clip has a column for
+/// each of its coordinates and as many values as it says, frames have finite times.
+/// \errors MDL001 as for the skeleton; MDL002 (InvalidInput) for the clip
+Result<void> validate(const Motion& motion);
+
 }  // namespace kinefile

@@ -73,7 +73,7 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
 /// The motion of a document, or its skeleton as a motion without frames.
 Motion take_motion(Document& document) {
   if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
-  Motion still{std::get<Skeleton>(std::move(document.content)), {}};
+  Motion still{skeleton_of(document), {}};
   still.clip.num_coordinates = still.skeleton.coordinates.size();
   return still;
 }
@@ -95,9 +95,13 @@ Result<Document> adapted_to(const Format& format, Document document,
   auto steady = at_steady_rate(format, std::move(document), channels.lenient, diagnostics);
   if (!steady) return steady;
   document = std::move(*steady);
-  const bool is_for_bones = format.name == "asf" || format.name == "amc";
-  const bool is_for_bvh = format.name == "bvh" && document.format != "bvh";
+  const bool is_for_bones = format.conventions.has_one_end;
+  const bool is_for_bvh = !format.conventions.turns_at_rest && document.format != format.name;
   if (!is_for_bones && !is_for_bvh && !asks_for_channels(channels)) return document;
+  if (!has_skeleton(document)) {
+    return fail(wrong_kind(document, "a motion or a skeleton, which have channels"));
+  }
+  if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
   const bool has_motion = std::holds_alternative<Motion>(document.content);
   const Motion motion = take_motion(document);
   auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
@@ -122,7 +126,8 @@ bool are_written_alike(const Format& format, const Document& a, const Document& 
       text += piece;
       return true;
     };
-    if (!format.write(document, options, sink, ignored)) return std::nullopt;
+    if (!format.write || !format.write(document, options, sink, ignored)) return std::nullopt;
+    std::erase(text, '\r');  // line ends are no difference
     return text;
   };
   const auto first = written(a);
@@ -133,9 +138,11 @@ Result<Document> on_skeleton_of(const Document& skeleton, Document document,
                                 Diagnostics& diagnostics) {
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (motion == nullptr) {
-    return fail(make_error(ErrorKind::Usage, "CNV001",
-                           "expected a motion to put on another skeleton, found a skeleton alone"));
+    Error error = wrong_kind(document, "a motion to put on another skeleton");
+    error.code = "CNV001";
+    return fail(std::move(error));
   }
+  if (!has_skeleton(skeleton)) return fail(wrong_kind(skeleton, "a skeleton to put a motion on"));
   auto moved = shape::onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
   if (!moved) return fail(std::move(moved.error()));
   document.content = std::move(*moved);

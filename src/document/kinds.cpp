@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "base/words.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/retime.hpp"
@@ -15,6 +15,9 @@ namespace {
 
 /// A figure whose rest pose is larger than this is taken to be measured in centimetres.
 constexpr double kTallestInMetres = 10;
+
+constexpr const char* kZIsUp =
+    "z points up in a body motion of a robot, whatever --up says: the joints' values stay";
 
 /// What one unit of a motion's lengths is in metres, guessed where the file does not say.
 double settle_unit(const Skeleton& skeleton, Diagnostics& diagnostics) {
@@ -38,6 +41,22 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   return edit::up(std::move(motion), up, diagnostics);
 }
 
+/// Tells of the values of joint ids that no joint of the robot has, which poses do not show.
+void tell_unread(const Motion& motion, Diagnostics& diagnostics) {
+  const std::vector<std::size_t> num_readers = num_readers_of_columns(motion.skeleton);
+  std::vector<std::string> ids;
+  for (std::size_t c = kRootColumns; c < num_readers.size(); ++c) {
+    const bool is_lost = num_readers[c] == 0 && !is_always(motion.clip, c, 0);
+    if (is_lost) ids.push_back(fmt::format("{}", c - kRootColumns));
+  }
+  if (ids.empty()) return;
+  diagnostics.add(
+      Severity::Warning, "CNV008",
+      fmt::format("the values of joint ids that no joint of the robot has are left out: "
+                  "{}",
+                  listed(ids)));
+}
+
 Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
                            Diagnostics& diagnostics) {
   if (options.model == nullptr) {
@@ -46,6 +65,7 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
   }
   const auto posed = robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics);
   if (!posed) return fail(posed.error());
+  if (*options.form == robot::BodyForm::Links) tell_unread(*posed, diagnostics);
   if (!robot::is_robot(posed->skeleton)) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
                            "expected a root pose with a quaternion for --form; convert it with "
@@ -65,6 +85,30 @@ robot::RobotNames names_of(const KindOptions& options) {
   return names;
 }
 
+bool has_joint(const Skeleton& skeleton, const std::string& name) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
+                     [&name](const Joint& joint) { return lowered(joint.name) == lowered(name); });
+}
+
+/// \errors CNV007 (Usage) for an entry of a map whose names are no link or joint of the robot, or
+/// no joint of the figure
+Result<void> expect_known(const robot::RobotNames& names, const Skeleton& figure,
+                          const Skeleton& robot) {
+  for (const auto& [name, source] : names.source_of) {
+    const bool is_link =
+        std::any_of(robot.joints.begin(), robot.joints.end(),
+                    [&key = name](const Joint& joint) { return joint.name == key; }) ||
+        std::any_of(names.joint_of_link.begin(), names.joint_of_link.end(),
+                    [&key = name](const auto& entry) { return entry.second == key; });
+    if (is_link && has_joint(figure, source)) continue;
+    return fail(ErrorKind::Usage, "CNV007",
+                fmt::format("the line '{}: {}' of the map has no effect: there is no {} '{}'", name,
+                            source, is_link ? "joint of the motion" : "link or joint of the robot",
+                            is_link ? source : name));
+  }
+  return {};
+}
+
 Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostics& diagnostics) {
   const bool is_of_robot = robot::is_robot(motion.skeleton);
   const bool wants_joints = options.form && *options.form != robot::BodyForm::Links;
@@ -78,8 +122,11 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
   if (is_of_robot || !wants_joints || options.model == nullptr) {
     return robot::project(motion, options.form.value_or(usual), nullptr, diagnostics);
   }
-  auto body =
-      robot::onto_robot(motion, skeleton_of(*options.model), names_of(options), diagnostics);
+  const robot::RobotNames names = names_of(options);
+  if (auto known = expect_known(names, motion.skeleton, skeleton_of(*options.model)); !known) {
+    return fail(std::move(known.error()));
+  }
+  auto body = robot::onto_robot(motion, skeleton_of(*options.model), names, diagnostics);
   if (!body || *options.form == robot::BodyForm::Joints) return body;
   return in_form(*body, options, diagnostics);
 }
@@ -105,6 +152,7 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                    ? robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
                    : robot::motion_of_links(body);
   if (!posed) return posed;
+  tell_unread(*posed, diagnostics);
   return turned_up(robot::without_free_joints(*posed), 1, options, diagnostics);
 }
 
@@ -122,8 +170,11 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
                          component.num_parts + kRootColumns <= robot.coordinates.size();
     if (!has_ids) continue;
     names.clear();
+    const std::vector<std::size_t> num_readers = num_readers_of_columns(robot);
     for (std::size_t id = 0; id < component.num_parts; ++id) {
-      names.push_back(robot.joints[robot.coordinates[kRootColumns + id].joint].name);
+      const std::size_t column = kRootColumns + id;
+      names.push_back(num_readers[column] > 0 ? robot.joints[robot.coordinates[column].joint].name
+                                              : fmt::format("joint{}", id));
     }
   }
   return body;
@@ -162,143 +213,168 @@ Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
   return zmp == nullptr ? made : robot::zmp(*made, true, diagnostics);
 }
 
-void tell_rate(const Format& format, const SteadyRate& rate, Diagnostics& diagnostics) {
-  diagnostics.add(
-      rate.holds_times ? Severity::Note : Severity::Warning, "CNV007",
-      fmt::format(
-          "{} has no place for times of single frames; they are interpolated to {} frames a "
-          "second{}",
-          format.name, rate.per_second,
-          rate.holds_times ? "" : ", by their median step: no usual rate holds them all"));
+/// Whether a format takes body motions and nothing else of a robot's or a figure's.
+bool takes_bodies_alone(const Conventions& conventions) {
+  return conventions.writes.body_motions && !conventions.writes.motions;
 }
 
-/// The rate for components of which some have times of their own: the main one's where it has one,
-/// else one for all times together.
-Result<SteadyRate> rate_of_components(const BodyMotion& body) {
-  const Component& main = *main_component(body);
-  const FrameTimes* own = std::get_if<FrameTimes>(&main.timeline.given);
-  if (own == nullptr || own->per_second) return retime::rate_for(main.timeline);
-  FrameTimes all;
-  for (const Component& component : body.components) {
-    if (auto rate = retime::rate_for(component.timeline); !rate) return rate;
-    const std::vector<double>& times = own_times(component.timeline);
-    all.seconds.insert(all.seconds.end(), times.begin(), times.end());
+bool takes_flows_alone(const Conventions& conventions) {
+  const Kinds& writes = conventions.writes;
+  return writes.flows && !writes.motions && !writes.skeletons && !writes.body_motions;
+}
+
+/// A body motion as a motion whose columns are its components' values.
+Result<Document> as_columns(Document document, const BodyMotion& body, const Skeleton* robot,
+                            Diagnostics& diagnostics) {
+  const BodyMotion named = robot == nullptr ? body : with_names_of(body, *robot);
+  document.content = robot::motion_of_components(named, diagnostics);
+  document.extras = {};
+  document.format.clear();
+  return document;
+}
+
+/// A motion or a skeleton with the axis up that was asked for.
+Result<Document> with_up_axis(Document document, const KindOptions& options,
+                              Diagnostics& diagnostics) {
+  if (!options.up) return document;
+  Motion motion{skeleton_of(document), {}};
+  motion.clip.num_coordinates = motion.skeleton.coordinates.size();
+  Motion* const moving = std::get_if<Motion>(&document.content);
+  if (moving != nullptr) motion = std::move(*moving);
+  auto turned = turned_up(std::move(motion), *options.up, options, diagnostics);
+  if (!turned) return fail(std::move(turned.error()));
+  if (moving != nullptr) {
+    document.content = std::move(*turned);
+  } else {
+    document.content = std::move(turned->skeleton);
   }
-  std::sort(all.seconds.begin(), all.seconds.end());
-  all.seconds.erase(std::unique(all.seconds.begin(), all.seconds.end()), all.seconds.end());
-  return retime::rate_for({all, 0});
+  return document;
 }
 
-/// When the first frame happens of those that begin before others.
-double start_of(const BodyMotion& body) {
-  double start = std::numeric_limits<double>::infinity();
-  for (const Component& component : body.components) {
-    if (component.kind == ComponentKind::Other || component.num_frames == 0) continue;
-    start = std::min(start, time_of_frame(component.timeline, 0));
+/// Brings a motion or a skeleton into a kind that the format can write.
+Result<Document> motion_for(const Conventions& conventions, Document document,
+                            const KindOptions& options, Diagnostics& diagnostics) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  const bool wants_columns = conventions.has_columns_of_components && options.form && motion;
+  if (!takes_bodies_alone(conventions) && !wants_columns) {
+    return with_up_axis(std::move(document), options, diagnostics);
   }
-  return start;
-}
-
-bool has_irregular(const BodyMotion& body) {
-  const auto is_irregular = [](const Component& component) {
-    return component.kind != ComponentKind::Other && component.num_frames > 0 &&
-           has_own_times(component.timeline);
-  };
-  return main_component(body) != nullptr &&
-         std::any_of(body.components.begin(), body.components.end(), is_irregular);
-}
-
-Result<void> steady_components(const Format& format, BodyMotion& body, bool lenient,
-                               Diagnostics& diagnostics) {
-  if (!has_irregular(body)) return {};
-  const auto rate = rate_of_components(body);
-  if (!rate) return fail(rate.error());
-  retime::RetimeOptions options;
-  options.lenient = lenient;
-  const double start = start_of(body);
-  for (Component& component : body.components) {
-    if (component.kind == ComponentKind::Other || !has_own_times(component.timeline)) continue;
-    const auto steady = retime::with_steady_rate(robot::motion_of_component(component),
-                                                 rate->per_second, start, options, diagnostics);
-    if (!steady) return fail(steady.error());
-    component = robot::with_frames_of(component, *steady);
+  if (motion == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "CNV002",
+                           "expected a motion to make a body motion of, found a skeleton alone"));
   }
-  tell_rate(format, *rate, diagnostics);
-  return {};
+  if (options.up == std::size_t{1} && robot::is_robot(motion->skeleton)) {
+    return fail(ErrorKind::Usage, "CNV007", kZIsUp);
+  }
+  auto body = body_of(*motion, options, diagnostics);
+  if (!body) return fail(std::move(body.error()));
+  if (wants_columns) {
+    const Skeleton own = motion->skeleton;
+    const Skeleton* robot = options.model != nullptr ? &skeleton_of(*options.model) : &own;
+    return as_columns(std::move(document), *body, robot, diagnostics);
+  }
+  document.content = std::move(*body);
+  return document;
+}
+
+/// Brings a body motion into a kind that the format can write.
+Result<Document> body_for(const Conventions& conventions, Document document,
+                          const KindOptions& options, Diagnostics& diagnostics) {
+  BodyMotion body = *std::get_if<BodyMotion>(&document.content);
+  const bool stays = conventions.writes.body_motions;
+  if (stays && options.up == std::size_t{1}) {
+    return fail(ErrorKind::Usage, "CNV007", kZIsUp);
+  }
+  if (options.form && (takes_bodies_alone(conventions) || conventions.has_columns_of_components)) {
+    auto formed = in_form(body, options, diagnostics);
+    if (!formed) return fail(std::move(formed.error()));
+    body = std::move(*formed);
+  }
+  if (conventions.has_columns_of_components) {
+    return as_columns(std::move(document), body,
+                      options.model == nullptr ? nullptr : &skeleton_of(*options.model),
+                      diagnostics);
+  }
+  if (stays) {
+    document.content = std::move(body);
+    return document;
+  }
+  document.extras = {};
+  document.format.clear();
+  auto motion = motion_of(body, options, diagnostics);
+  if (!motion) return fail(std::move(motion.error()));
+  document.content = std::move(*motion);
+  return document;
+}
+
+Error no_way(const Document& document) {
+  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+  return make_error(
+      ErrorKind::Usage, "CNV006",
+      is_flow ? "a flow of poses has no motion until it is run: 'kinefile run' with a servo map "
+                "makes one"
+              : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo map");
+}
+
+/// Whether the motion goes onto the joints of the model.
+bool goes_onto_joints(const Conventions& conventions, const Document& document,
+                      const KindOptions& options) {
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  const bool has_place = takes_bodies_alone(conventions) || conventions.has_columns_of_components;
+  if (motion == nullptr || robot::is_robot(motion->skeleton) || !has_place) return false;
+  return options.form ? *options.form != robot::BodyForm::Links : conventions.is_root_and_joints;
 }
 
 }  // namespace
 
-Result<Document> at_steady_rate(const Format& format, Document document, bool lenient,
-                                Diagnostics& diagnostics) {
-  if (format.keeps_times) return document;
-  if (BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    const auto made = steady_components(format, *body, lenient, diagnostics);
-    if (!made) return fail(made.error());
-    return document;
+bool uses_model(const Format& format, const Document& document, const KindOptions& options) {
+  if (!std::holds_alternative<BodyMotion>(document.content)) {
+    return goes_onto_joints(format.conventions, document, options);
   }
-  Motion* motion = std::get_if<Motion>(&document.content);
-  if (motion == nullptr || !has_own_times(motion->clip.timeline)) return document;
-  const auto rate = retime::rate_for(motion->clip.timeline);
-  if (!rate) return fail(rate.error());
-  retime::RetimeOptions options;
-  options.lenient = lenient;
-  auto steady = retime::with_steady_rate(
-      *motion, rate->per_second, time_of_frame(motion->clip.timeline, 0), options, diagnostics);
-  if (!steady) return fail(std::move(steady.error()));
-  *motion = std::move(*steady);
-  tell_rate(format, *rate, diagnostics);
-  return document;
+  return !format.conventions.writes.body_motions || format.conventions.is_root_and_joints ||
+         options.form;
 }
 
 Result<Document> in_kind_of(const Format& format, Document document, const KindOptions& options,
                             Diagnostics& diagnostics) {
-  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
-  const bool takes_flows = format.name == "csv" || format.name == "json";
-  if (is_flow != (format.name == "robovie") && !(is_flow && takes_flows)) {
-    return fail(make_error(
-        ErrorKind::Usage, "CNV006",
-        is_flow ? "a flow of poses has no motion until it is run: 'kinefile run' with a servo map "
-                  "makes one"
-                : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo "
-                  "map"));
+  const Conventions& conventions = format.conventions;
+  if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
+  if (options.model != nullptr && !has_skeleton(*options.model)) {
+    return fail(wrong_kind(*options.model, "a robot as the model"));
+  }
+  if (std::holds_alternative<PoseFlow>(document.content) ? !conventions.writes.flows
+                                                         : takes_flows_alone(conventions)) {
+    return fail(no_way(document));
   }
   auto steady = at_steady_rate(format, std::move(document), options.lenient, diagnostics);
   if (!steady) return steady;
   document = std::move(*steady);
-  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
-  const Motion* motion = std::get_if<Motion>(&document.content);
-  const auto put = [&](auto&& made) -> Result<Document> {
-    if (!made) return fail(std::move(made.error()));
-    document.content = std::move(*made);
-    return std::move(document);
-  };
-  if (is_flow) {
-    // A table has a row a pose, each with its next and break.
-    const auto wanted =
-        format.name == "csv" ? std::optional(FlowFormat::WordN) : options.flow_format;
+  const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
+  const bool is_onto_joints =
+      options.model != nullptr && goes_onto_joints(conventions, document, options);
+  if (!options.joint_map.empty() && !is_onto_joints) {
+    return fail(
+        ErrorKind::Usage, "CNV007",
+        "a map of joints has no effect here: it is for a motion that goes onto the joints of "
+        "a robot (--form joints or both, and a robot)");
+  }
+  if (flow != nullptr) {
+    const auto wanted = conventions.flow_format ? conventions.flow_format : options.flow_format;
     if (!wanted) return document;
-    return put(flow::in_format(std::get<PoseFlow>(document.content), *wanted, diagnostics));
+    auto formed = flow::in_format(*flow, *wanted, diagnostics);
+    if (!formed) return fail(std::move(formed.error()));
+    document.content = std::move(*formed);
+    return document;
   }
-  if (format.name == "hrpsys") return put(set_of(document, options, diagnostics));
-  if (format.name == "choreonoid") {
-    if (body != nullptr && !options.form) return document;
-    if (body != nullptr) return put(in_form(*body, options, diagnostics));
-    if (motion != nullptr) return put(body_of(*motion, options, diagnostics));
-    return fail(make_error(ErrorKind::Usage, "CNV002",
-                           "expected a motion to write as .seq, found a skeleton alone"));
+  if (conventions.is_root_and_joints) {
+    auto set = set_of(document, options, diagnostics);
+    if (!set) return fail(std::move(set.error()));
+    document.content = std::move(*set);
+    return document;
   }
-  if (body == nullptr || format.name == "json") return document;
-  document.extras = {};
-  document.format.clear();
-  if (format.name == "csv" && options.model != nullptr) {
-    return put(Result<Motion>(robot::motion_of_components(
-        with_names_of(*body, skeleton_of(*options.model)), diagnostics)));
-  }
-  if (format.name == "csv") {
-    return put(Result<Motion>(robot::motion_of_components(*body, diagnostics)));
-  }
-  return put(motion_of(*body, options, diagnostics));
+  return std::holds_alternative<BodyMotion>(document.content)
+             ? body_for(conventions, std::move(document), options, diagnostics)
+             : motion_for(conventions, std::move(document), options, diagnostics);
 }
 
 }  // namespace kinefile

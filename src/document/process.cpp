@@ -15,20 +15,23 @@ Result<std::shared_ptr<const Document>> document_of(const DocumentSource& source
   return source(diagnostics);
 }
 
-/// Whether a document needs a robot to come into a kind that a format takes. A skeleton that a
-/// motion was read with is no robot to put it on.
-bool needs_robot(const Document& document, const Format& format, const AdaptOptions& adapting) {
-  if (std::holds_alternative<BodyMotion>(document.content) || adapting.robot) return true;
+/// Whether a document was read with a skeleton of its own, which is no robot to put it on.
+bool has_own_skeleton(const Document& document) {
   const Format* from = find_format(document.format);
-  const bool has_own_skeleton = from != nullptr && !from->companion.empty();
-  return (format.has_part != nullptr || adapting.kinds.form.has_value()) && !has_own_skeleton;
+  return from != nullptr && !from->companion.empty();
 }
 
 Result<Document> in_wanted_kind(Document document, const Format& format,
                                 const AdaptOptions& adapting, Diagnostics& diagnostics) {
   KindOptions kinds = adapting.kinds;
   std::shared_ptr<const Document> model;
-  if (needs_robot(document, format, adapting)) {
+  const bool has_use = uses_model(format, document, kinds);
+  if (adapting.robot && !has_use) {
+    return fail(ErrorKind::Usage, "CNV007",
+                "a robot has no effect here: it is for a motion that goes onto its joints (--form "
+                "joints or both)");
+  }
+  if (has_use && (adapting.robot || !has_own_skeleton(document))) {
     auto found = document_of(adapting.robot ? adapting.robot : adapting.skeleton, diagnostics);
     if (!found) return fail(std::move(found.error()));
     model = std::move(*found);

@@ -24,6 +24,15 @@ Result<Document> read_with_own_diagnostics(const Read& read_alone, std::string_v
   return document;
 }
 
+/// \param wanted  what the format writes, for the error: "a motion to write as AMC"
+/// \errors DOC001 (Usage) for a document of another kind, MDL001 or MDL002 for one that is not
+/// valid
+inline Result<void> expect_kind(const Document& document, const Kinds& kinds,
+                                std::string_view wanted) {
+  if (!contains(kinds, document)) return fail(wrong_kind(document, wanted));
+  return validate(document);
+}
+
 /// The line end that a document's file had, "\n" or "\r\n"; "\n" where nothing is kept of it.
 inline std::string_view kept_line_end(const Extras& extras) {
   const auto kept = extras.file.find("line_end");

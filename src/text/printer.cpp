@@ -19,14 +19,19 @@ void Printer::print(std::string_view text) {
 }
 
 void Printer::print(double number) {
+  append(number);
+  if (buffer_.size() >= kPieceBytes) hand_on();
+}
+
+void Printer::append(double number) {
   if (std::isnan(number)) {
-    print(std::string_view("nan"));  // a NaN's sign says nothing, and its spelling varies
+    constexpr std::string_view kNan = "nan";  // its sign says nothing, and its spelling varies
+    buffer_.append(kNan.data(), kNan.data() + kNan.size());
   } else if (decimals_) {
     fmt::format_to(std::back_inserter(buffer_), "{:.{}f}", number, *decimals_);
   } else {
     fmt::format_to(std::back_inserter(buffer_), "{}", number);
   }
-  if (buffer_.size() >= kPieceBytes) hand_on();
 }
 
 void Printer::print_exact(double number) {
@@ -37,15 +42,15 @@ void Printer::print_exact(double number) {
 
 void Printer::print_yaml(double number) {
   const std::size_t start = buffer_.size();
-  print(number);
-  if (buffer_.size() <= start) return;  // has been handed on, which is rare
+  append(number);
   const std::string_view text(buffer_.data() + start, buffer_.size() - start);
   const std::size_t exponent = text.find('e');
-  if (exponent == std::string_view::npos || text.find('.') != std::string_view::npos) return;
-  const std::string tail(text.substr(exponent));
-  buffer_.resize(start + exponent);
-  const std::string pointed = ".0" + tail;
-  buffer_.append(pointed.data(), pointed.data() + pointed.size());
+  if (exponent != std::string_view::npos && text.find('.') == std::string_view::npos) {
+    const std::string pointed = ".0" + std::string(text.substr(exponent));
+    buffer_.resize(start + exponent);
+    buffer_.append(pointed.data(), pointed.data() + pointed.size());
+  }
+  if (buffer_.size() >= kPieceBytes) hand_on();
 }
 
 bool Printer::finish() {

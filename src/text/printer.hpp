@@ -32,6 +32,7 @@ class Printer {
   bool finish();
 
  private:
+  void append(double number);
   void hand_on();
 
   const std::function<bool(std::string_view)>& sink_;

@@ -12,13 +12,12 @@ int main(int argc, char** argv) {
               sizeof(kinefile::Clip), sizeof(kinefile::Document),
               sizeof(kinefile::DegreeOfFreedom));
   kinefile::Diagnostics diagnostics;
-  const auto document = kinefile::read_file(argv[1], nullptr, {}, diagnostics);
-  if (!document) {
-    std::fprintf(stderr, "%s\n", kinefile::to_string(document.error()).c_str());
+  const auto motion = kinefile::read_motion(argv[1], diagnostics);
+  if (!motion) {
+    std::fprintf(stderr, "%s\n", kinefile::to_string(motion.error()).c_str());
     return 1;
   }
-  const auto& motion = std::get<kinefile::Motion>(document->content);
-  const auto poses = kinefile::forward_kinematics(motion.skeleton, motion.clip);
-  std::printf("%s %.7f %.7f %.7f\n", motion.skeleton.joints[1].name.c_str(), poses.positions[3],
+  const auto poses = kinefile::forward_kinematics(motion->skeleton, motion->clip);
+  std::printf("%s %.7f %.7f %.7f\n", motion->skeleton.joints[1].name.c_str(), poses.positions[3],
               poses.positions[4], poses.positions[5]);
 }

@@ -46,6 +46,26 @@ TEST(Printer, PrintsWhatReadsBackAsTheSameBits) {
   }
 }
 
+TEST(Printer, PutsAPointIntoEveryYamlExponent) {
+  std::string text;
+  const std::function<bool(std::string_view)> sink = [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  };
+  Printer printer(sink);
+  for (int i = 0; i < 120'000; ++i) {
+    printer.print_yaml(1e-5);
+    printer.print(' ');
+  }
+  EXPECT_TRUE(printer.finish());
+  std::size_t num_pointed = 0;
+  for (std::size_t at = text.find("1.0e-05 "); at != std::string::npos;
+       at = text.find("1.0e-05 ", at + 1)) {
+    ++num_pointed;
+  }
+  EXPECT_EQ(num_pointed, 120'000u);
+}
+
 TEST(Printer, PrintsSoManyDecimals) {
   EXPECT_EQ(printed(1.0 / 3, 4), "0.3333");
   EXPECT_EQ(printed(2, 2), "2.00");

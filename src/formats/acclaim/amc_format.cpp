@@ -16,7 +16,12 @@
 namespace kinefile::acclaim {
 namespace {
 
+constexpr Kinds kAmcWrites = {.motions = true};
 constexpr std::array<std::string_view, 1> kAmcExtensions = {".amc"};
+constexpr std::array<std::string_view, 5> kAmcReadOptions = {"encoding", "fps", "positions",
+                                                             "skeleton", "unit-in"};
+constexpr std::array<std::string_view, 5> kAmcWriteOptions = {"decimals", "order", "channels",
+                                                              "skeleton", "up"};
 constexpr double kUsualRate = 120;
 
 bool probe_amc(std::string_view head) {
@@ -160,10 +165,13 @@ AmcHeading heading_of(const Document& document, const Motion& motion, const Writ
 Result<void> write_amc(const Document& document, const WriteOptions& options, const Sink& sink,
                        Diagnostics&) {
   const Motion* motion = std::get_if<Motion>(&document.content);
-  if (motion == nullptr) {
+  if (motion == nullptr && has_skeleton(document)) {
     return fail(make_error(ErrorKind::Usage, code::kNeedsAsf,
                            "expected a motion to write as AMC, found a skeleton alone, which is "
                            "written as ASF"));
+  }
+  if (auto taken = expect_kind(document, kAmcWrites, "a motion to write as AMC"); !taken) {
+    return taken;
   }
   auto unbound = unbind(motion->skeleton, document.extras);
   if (!unbound) return fail(std::move(unbound.error()));
@@ -177,10 +185,20 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
 }  // namespace
 
 Format amc_format() {
-  return {"amc",          "Acclaim motion, with its skeleton beside it",
-          kAmcExtensions, "asf",
-          probe_amc,      read_amc,
-          write_amc,      true};
+  Format format;
+  format.name = "amc";
+  format.description = "Acclaim motion, with its skeleton beside it";
+  format.extensions = kAmcExtensions;
+  format.companion = "asf";
+  format.probe = probe_amc;
+  format.read = read_amc;
+  format.write = write_amc;
+  format.takes_skeleton = true;
+  format.conventions.writes = kAmcWrites;
+  format.conventions.has_one_end = true;
+  format.read_options = kAmcReadOptions;
+  format.write_options = kAmcWriteOptions;
+  return format;
 }
 
 }  // namespace kinefile::acclaim

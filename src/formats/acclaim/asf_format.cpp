@@ -16,7 +16,11 @@
 namespace kinefile::acclaim {
 namespace {
 
+constexpr Kinds kAsfWrites = {.motions = true, .skeletons = true};
 constexpr std::array<std::string_view, 2> kAsfExtensions = {".asf", ".ast"};
+constexpr std::array<std::string_view, 2> kAsfReadOptions = {"encoding", "unit-in"};
+constexpr std::array<std::string_view, 4> kAsfWriteOptions = {"decimals", "order", "channels",
+                                                              "up"};
 
 bool probe_asf(std::string_view head) {
   constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",
@@ -53,6 +57,10 @@ Result<Document> read_asf(std::string_view bytes, const ReadOptions& options,
 
 Result<void> write_asf(const Document& document, const WriteOptions& options, const Sink& sink,
                        Diagnostics& diagnostics) {
+  if (auto taken = expect_kind(document, kAsfWrites, "a motion or a skeleton to write as ASF");
+      !taken) {
+    return taken;
+  }
   // As the companion of a motion it says nothing of it, and loses nothing.
   const bool loses_motion =
       std::holds_alternative<Motion>(document.content) && !options.is_companion;
@@ -88,7 +96,18 @@ Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& op
 }
 
 Format asf_format() {
-  return {"asf", "Acclaim skeleton", kAsfExtensions, {}, probe_asf, read_asf, write_asf};
+  Format format;
+  format.name = "asf";
+  format.description = "Acclaim skeleton";
+  format.extensions = kAsfExtensions;
+  format.probe = probe_asf;
+  format.read = read_asf;
+  format.write = write_asf;
+  format.conventions.writes = kAsfWrites;
+  format.conventions.has_one_end = true;
+  format.read_options = kAsfReadOptions;
+  format.write_options = kAsfWriteOptions;
+  return format;
 }
 
 }  // namespace kinefile::acclaim

@@ -14,6 +14,7 @@ namespace kinefile::body {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".body"};
+constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
 
 /// Whether this is what stands between a key and its value, in YAML's two styles.
 bool joins_key_and_value(char c) { return text::is_blank(c) || c == ':' || c == '"' || c == '\''; }
@@ -86,7 +87,14 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 }  // namespace
 
 Format format() {
-  return {"body", "Choreonoid robot model", kExtensions, {}, probe, read, nullptr};
+  Format format;
+  format.name = "body";
+  format.description = "Choreonoid robot model";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.read_options = kReadOptions;
+  return format;
 }
 
 }  // namespace kinefile::body

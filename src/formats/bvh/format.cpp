@@ -16,6 +16,11 @@ namespace kinefile::bvh {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".bvh"};
+constexpr std::array<std::string_view, 4> kReadOptions = {"encoding", "fps", "positions",
+                                                          "unit-in"};
+constexpr std::array<std::string_view, 4> kWriteOptions = {"decimals", "order", "channels", "up"};
+
+constexpr Kinds kWrites = {.motions = true, .skeletons = true};
 
 bool probe(std::string_view head) {
   Diagnostics ignored;
@@ -88,6 +93,10 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
+  if (auto taken = expect_kind(document, kWrites, "a motion or a skeleton to write as BVH");
+      !taken) {
+    return taken;
+  }
   const Skeleton& skeleton = skeleton_of(document);
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
@@ -110,7 +119,19 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"bvh", "Biovision Hierarchy: skeleton and motion", kExtensions, {}, probe, read, write};
+  Format format;
+  format.name = "bvh";
+  format.description = "Biovision Hierarchy: skeleton and motion";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.write = write;
+  format.conventions.writes = kWrites;
+  format.conventions.angle_unit = AngleUnit::Degrees;
+  format.conventions.turns_at_rest = false;
+  format.read_options = kReadOptions;
+  format.write_options = kWriteOptions;
+  return format;
 }
 
 }  // namespace kinefile::bvh

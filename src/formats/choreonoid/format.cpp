@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -17,6 +18,13 @@ namespace kinefile::choreonoid {
 namespace {
 
 constexpr std::array<std::string_view, 3> kExtensions = {".seq", ".yaml", ".yml"};
+constexpr std::array<std::string_view, 5> kReadOptions = {"encoding", "fps", "keep-times",
+                                                          "skeleton", "timed-rounding"};
+constexpr std::array<std::string_view, 10> kWriteOptions = {
+    "choreonoid-digits", "decimals",    "form",     "map",   "robot",
+    "se3-format",        "seq-version", "skeleton", "style", "up"};
+
+constexpr Kinds kWrites = {.body_motions = true};
 
 /// Looks for the type at the top of the file, among the keys that come before its components.
 bool probe(std::string_view head) {
@@ -93,6 +101,31 @@ void note_contents(const Reader& reader, const SeqFile& file) {
   }
 }
 
+bool is_motion_part(ComponentKind kind, std::string_view content) {
+  return (kind == ComponentKind::Poses && content == kLinkPosition) ||
+         (kind == ComponentKind::Values && content == kJointDisplacement);
+}
+
+constexpr const char* kNoMotionPart =
+    "it wants link poses or joint displacements, and there are neither";
+
+/// Tells of names and gaps that Choreonoid does not survive.
+void check_survival(const Reader& reader, const SeqFile& file) {
+  bool has_part = false;
+  for (const SeqComponent& component : file.components) {
+    if (component.kind == ComponentKind::Other) continue;
+    has_part |= is_motion_part(component.kind, usual_content(component));
+    const bool is_of_version_3 =
+        component.content.starts_with("Multi") || component.content == "ZMPSeq";
+    if (is_of_version_3 && file.major >= 2 && file.major != 3) {
+      reader.warn_rejected(
+          fmt::format("the content {} is one of format version 3", text::quoted(component.content)),
+          component.at);
+    }
+  }
+  if (!has_part) reader.warn_rejected(kNoMotionPart, reader.tree.root().at);
+}
+
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
@@ -114,6 +147,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   note_contents(reader, file);
   check_repeated(reader, file);
+  check_survival(reader, file);
   Document document;
   document.format = "choreonoid";
   document.extras.file["encoding"] = decoded->description();
@@ -129,6 +163,17 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
+  if (auto valid = validate(document); !valid) return valid;
+  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
+  const bool has_part =
+      body == nullptr || document.format == "choreonoid" ||  // whose reader has told of it
+      std::any_of(body->components.begin(), body->components.end(), [](const Component& component) {
+        return is_motion_part(component.kind, component.content);
+      });
+  if (!has_part) {
+    diagnostics.add(Severity::Warning, code::kChoreonoidRejects,
+                    fmt::format("Choreonoid 2.x will reject this: {}", kNoMotionPart));
+  }
   const auto file = unbind(document, options, diagnostics);
   if (!file) return fail(file.error());
   text::Printer printer(sink, options.decimals);
@@ -141,11 +186,20 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"choreonoid", "Choreonoid's body motion: values, poses and vectors over time",
-          kExtensions,  {},
-          probe,        read,
-          write,        false,
-          nullptr,      true};
+  Format format;
+  format.name = "choreonoid";
+  format.description = "Choreonoid's body motion: values, poses and vectors over time";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.write = write;
+  format.conventions.writes = kWrites;
+  format.conventions.up = 2;
+  format.conventions.angle_unit = AngleUnit::Radians;
+  format.read_options = kReadOptions;
+  format.write_options = kWriteOptions;
+  format.conventions.keeps_times = true;
+  return format;
 }
 
 }  // namespace kinefile::choreonoid

@@ -28,9 +28,14 @@ std::pair<std::string, std::string> split_name(const std::string& header) {
 
 /// What the values of a column are: JointEffort3 is one of JointEffort, all else a joint's own.
 std::string content_of(const std::string& name) {
+  constexpr std::array<std::string_view, 6> kContents = {"JointVelocity", "JointAcceleration",
+                                                         "JointEffort",   "JointTorque",
+                                                         "JointForce",    "JointTemperature"};
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-  const bool is_content = digits < name.size() && digits > 5 && name.starts_with("Joint");
-  return is_content ? name.substr(0, digits) : std::string(kJointDisplacement);
+  const std::string content = name.substr(0, digits);
+  const bool is_content = digits < name.size() &&
+                          std::find(kContents.begin(), kContents.end(), content) != kContents.end();
+  return is_content ? content : std::string(kJointDisplacement);
 }
 
 bool is_of_a_figure(const std::string& header) {
@@ -125,7 +130,8 @@ std::vector<Group> grouped(const TableReader& reader, const std::vector<Field>& 
   return groups;
 }
 
-/// The ids of a robot's joints by their names, and by the names of their links.
+/// The ids of a robot's joints by their names, and by the names of their links; those that no joint
+/// has by names such as "joint3".
 std::map<std::string, std::size_t> ids_of(const Document& robot) {
   const Skeleton& skeleton = skeleton_of(robot);
   std::map<std::string, std::size_t> ids;
@@ -137,6 +143,11 @@ std::map<std::string, std::size_t> ids_of(const Document& robot) {
     if (words == robot.extras.joints.end()) continue;
     const auto name = words->second.find("joint_name");
     if (name != words->second.end()) ids.emplace(name->second, id);
+  }
+  const std::vector<std::size_t> num_readers = num_readers_of_columns(skeleton);
+  for (std::size_t column = kRootColumns; column < num_readers.size(); ++column) {
+    const std::size_t id = column - kRootColumns;
+    if (num_readers[column] == 0) ids.emplace(fmt::format("joint{}", id), id);
   }
   return ids;
 }

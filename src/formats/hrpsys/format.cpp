@@ -2,6 +2,7 @@
 #include "formats/hrpsys/format.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "formats/hrpsys/codes.hpp"
 #include "formats/hrpsys/read.hpp"
@@ -9,6 +10,10 @@
 
 namespace kinefile::hrpsys {
 namespace {
+
+constexpr std::array<std::string_view, 3> kReadOptions = {"encoding", "fps", "skeleton"};
+constexpr std::array<std::string_view, 6> kWriteOptions = {"decimals", "form",     "map",
+                                                           "robot",    "skeleton", "up"};
 
 /// The component that a file of the set is written from, or null.
 const Component* component_of(const BodyMotion& motion, std::string_view part) {
@@ -50,6 +55,7 @@ void print_rows(text::Printer& printer, const Component& component, std::size_t 
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics&) {
+  if (auto valid = validate(document); !valid) return valid;
   if (!has_part(document, options.part)) {
     return fail(make_error(ErrorKind::Usage, code::kNothingToWrite,
                            "expected joint displacements, link poses or a ZMP to write, found "
@@ -79,6 +85,12 @@ Format format() {
   format.read = read;
   format.write = write;
   format.has_part = has_part;
+  format.read_options = kReadOptions;
+  format.write_options = kWriteOptions;
+  format.conventions.writes = {.body_motions = true};
+  format.conventions.up = 2;
+  format.conventions.angle_unit = AngleUnit::Radians;
+  format.conventions.is_root_and_joints = true;
   return format;
 }
 

@@ -10,6 +10,8 @@ namespace kinefile::json {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".json"};
+constexpr std::array<std::string_view, 5> kWriteOptions = {"channels", "decimals", "flow-format",
+                                                           "order", "up"};
 
 std::string_view dof_kind_name(DofKind kind) {
   switch (kind) {
@@ -161,6 +163,7 @@ void print_motion(text::Printer& printer, const Document& document) {
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
+  if (auto valid = validate(document); !valid) return valid;
   text::Printer printer(sink, options.decimals);
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
     print_body_motion(printer, *motion, diagnostics);
@@ -176,11 +179,16 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"json",      "JSON: skeleton, column names and values",
-          kExtensions, {},
-          nullptr,     nullptr,
-          write,       false,
-          nullptr,     true};
+  Format format;
+  format.name = "json";
+  format.description = "JSON: skeleton, column names and values";
+  format.extensions = kExtensions;
+  format.write = write;
+  format.conventions.writes = {
+      .motions = true, .skeletons = true, .body_motions = true, .flows = true};
+  format.write_options = kWriteOptions;
+  format.conventions.keeps_times = true;
+  return format;
 }
 
 }  // namespace kinefile::json

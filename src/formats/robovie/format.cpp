@@ -18,6 +18,10 @@ namespace kinefile::robovie {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".txt"};
+constexpr std::array<std::string_view, 3> kReadOptions = {"encoding", "max-speed", "project"};
+constexpr std::array<std::string_view, 2> kWriteOptions = {"encoding", "flow-format"};
+
+constexpr Kinds kWrites = {.flows = true};
 
 /// Looks for the first line, which is the same in all files.
 bool probe(std::string_view head) {
@@ -148,7 +152,9 @@ Error cannot_write(std::string why) {
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics&) {
   const PoseFlow* const flow = std::get_if<PoseFlow>(&document.content);
-  if (flow == nullptr) return fail(cannot_write("expected a flow of servo poses to write"));
+  if (flow == nullptr) {
+    return fail(ErrorKind::Usage, code::kCannotWrite, "expected a flow of servo poses to write");
+  }
   if (const std::string why = why_not_written(*flow); !why.empty()) {
     return fail(cannot_write("the flow cannot be written: " + why));
   }
@@ -175,10 +181,17 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
 }  // namespace
 
 Format format() {
-  return {"robovie",   "Motions of RobovieMaker and RobovieMaker2: flows of servo poses",
-          kExtensions, {},
-          probe,       read,
-          write};
+  Format format;
+  format.name = "robovie";
+  format.description = "Motions of RobovieMaker and RobovieMaker2: flows of servo poses";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.write = write;
+  format.conventions.writes = kWrites;
+  format.read_options = kReadOptions;
+  format.write_options = kWriteOptions;
+  return format;
 }
 
 }  // namespace kinefile::robovie

@@ -13,6 +13,7 @@ namespace kinefile::urdf {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".urdf"};
+constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
 
 /// Goes behind what starts with one word and ends with another; false where that is not there.
 bool skip(std::string_view& text, std::string_view start, std::string_view end) {
@@ -48,7 +49,14 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 }  // namespace
 
 std::vector<Format> formats() {
-  return {{"urdf", "Unified Robot Description Format", kExtensions, {}, probe, read, nullptr}};
+  Format format;
+  format.name = "urdf";
+  format.description = "Unified Robot Description Format";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.read_options = kReadOptions;
+  return {format};
 }
 
 }  // namespace kinefile::urdf

@@ -11,6 +11,7 @@ namespace kinefile::wrl {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".wrl"};
+constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
 
 bool probe(std::string_view head) {
   return head.starts_with("#VRML") || head.starts_with("\xEF\xBB\xBF#VRML");
@@ -29,7 +30,14 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 }  // namespace
 
 Format format() {
-  return {"wrl", "OpenHRP robot model in VRML97", kExtensions, {}, probe, read, nullptr};
+  Format format;
+  format.name = "wrl";
+  format.description = "OpenHRP robot model in VRML97";
+  format.extensions = kExtensions;
+  format.probe = probe;
+  format.read = read;
+  format.read_options = kReadOptions;
+  return format;
 }
 
 }  // namespace kinefile::wrl

@@ -6,6 +6,8 @@
 
 #include "kinefile/motion.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// A joint that turns suddenly.
@@ -22,3 +24,5 @@ struct SuddenTurn {
 std::vector<SuddenTurn> find_sudden_turns(const Motion& motion);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 namespace detail {
@@ -204,3 +206,5 @@ struct Rows {
 };
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

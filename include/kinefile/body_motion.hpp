@@ -12,6 +12,8 @@
 #include "kinefile/array.hpp"
 #include "kinefile/timeline.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// What the frames of a component hold.
@@ -88,3 +90,5 @@ std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> 
 Array<double> poses_as_roll_pitch_yaw(const Component& component);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 #include "kinefile/array.hpp"
 #include "kinefile/timeline.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// The values of a motion: one row a frame, one column a coordinate of its skeleton.
@@ -31,3 +33,5 @@ bool is_always(const Clip& clip, std::size_t column, double value);
 Clip with_columns(const Clip& clip, const std::vector<std::size_t>& columns);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

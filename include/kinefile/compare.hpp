@@ -7,6 +7,8 @@
 
 #include "kinefile/motion.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// The largest of some differences, and where it is.
@@ -38,3 +40,5 @@ struct MotionComparison {
 MotionComparison compare_motions(const Motion& first, const Motion& second);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

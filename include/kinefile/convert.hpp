@@ -10,6 +10,8 @@
 #include "kinefile/robot.hpp"
 #include "kinefile/shape.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Brings a document into a form that a format can write, where it is not in one already; the
@@ -74,3 +76,5 @@ Result<Document> on_skeleton_of(const Document& skeleton, Document document,
                                 Diagnostics& diagnostics);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

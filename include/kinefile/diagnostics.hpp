@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 enum class Severity {
@@ -93,3 +95,5 @@ class Diagnostics {
 std::string to_string(const Diagnostic& diagnostic);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

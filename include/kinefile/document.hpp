@@ -10,6 +10,8 @@
 #include "kinefile/pose_flow.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// What a format keeps beyond the model and needs to write the same file again, without the
@@ -61,3 +63,5 @@ Motion still_or_moving(const Document& document);
 bool has_skeleton(const Document& document);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 
 /// Operations that take a motion by value change it in place where nobody else looks at its clip:
 /// hand it over with std::move. Others leave what they are given as it is.
+#pragma GCC visibility push(default)
+
 namespace kinefile::edit {
 
 /// The frames from `begin` to `end`, `end` not included, bit for bit. The file's own number of the
@@ -107,3 +109,5 @@ Result<Motion> smooth(Motion motion, double cutoff_hz);
 Motion unwrap(Motion motion);
 
 }  // namespace kinefile::edit
+
+#pragma GCC visibility pop

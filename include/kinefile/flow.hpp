@@ -16,6 +16,8 @@
 #include "kinefile/result.hpp"
 #include "kinefile/robot_project.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile::flow {
 
 /// What becomes of a slider whose word says that it is disabled (0X).
@@ -152,3 +154,5 @@ Result<PoseFlow> insert(const PoseFlow& flow, std::size_t block, const PoseFlow&
 Result<PoseFlow> erase(const PoseFlow& flow, std::size_t block);
 
 }  // namespace kinefile::flow
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 #include "kinefile/document.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 struct RobotProject;
@@ -167,3 +169,5 @@ const Format* detect_format(std::string_view head, std::string_view file_name);
 const Format* format_of_name(std::string_view file_name);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 #include "kinefile/format.hpp"
 #include "kinefile/robot_project.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// The bytes of a file, alive as long as this is. They are read, never mapped, so that a file which
@@ -124,3 +126,5 @@ Result<void> write_file(const std::string& path, const Document& document, const
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Which joint of a figure a robot's link or joint follows: its name to that of the figure's joint.
@@ -18,3 +20,5 @@ Result<JointMap> parse_joint_map(std::string_view text, const std::string& sourc
                                  Diagnostics& diagnostics);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "kinefile/skeleton.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// The rotations among a joint's degrees of freedom, outermost first.
@@ -32,3 +34,5 @@ double fit_rotation(const std::vector<DegreeOfFreedom>& rotations, const Mat3& r
                     AngleUnit unit, std::span<double> row);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/world_poses.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Rows of values to place: `num_frames` rows of a skeleton's coordinates, each `stride` numbers
@@ -148,3 +150,5 @@ double rest_size(const Skeleton& skeleton);
 std::size_t guess_up_axis(const Motion& motion);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -6,6 +6,8 @@
 
 #include "kinefile/motion.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// A joint that goes where its robot cannot, or faster.
@@ -25,3 +27,5 @@ struct LimitBreach {
 std::vector<LimitBreach> find_limit_breaches(const Motion& motion);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 using Vec3 = Eigen::Vector3d;
@@ -71,3 +73,5 @@ Quat squad_control(const Quat& before, const Quat& at, const Quat& after);
 Quat squad(const Quat& a, const Quat& control_a, const Quat& control_b, const Quat& b, double t);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

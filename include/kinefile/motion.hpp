@@ -4,6 +4,8 @@
 #include "kinefile/clip.hpp"
 #include "kinefile/skeleton.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// A skeleton and how it moves. `clip.num_coordinates == skeleton.coordinates.size()`.
@@ -18,3 +20,5 @@ struct Motion {
 Result<void> validate(const Motion& motion);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -13,6 +13,8 @@
 #include "kinefile/result.hpp"
 #include "kinefile/robot_project.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// What an operation may need beside the document that it changes.
@@ -100,3 +102,5 @@ struct FrameRange {
 std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_frames);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

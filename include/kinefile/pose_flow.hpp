@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Which of RobovieMaker's two formats a flow is written in; they differ in what a flow can say.
@@ -146,3 +148,5 @@ struct FlowFinding {
 std::vector<FlowFinding> find_flow_faults(const PoseFlow& flow);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 #include "kinefile/format.hpp"
 #include "kinefile/world_poses.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// What a table of poses shows.
@@ -35,3 +37,5 @@ bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink&
 bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink& sink);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 #include "kinefile/io.hpp"
 #include "kinefile/operation.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Gets a document when it is needed: a skeleton, a robot. Null: there is none.
@@ -64,3 +66,5 @@ struct Report {
 Report process(const Job& job, const OutputFiles& files);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

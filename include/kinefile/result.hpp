@@ -7,6 +7,8 @@
 
 #include "kinefile/diagnostics.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// A value or an `Error`. Unlike the class it stands on, it cannot be dropped unseen.
@@ -24,3 +26,5 @@ inline tl::unexpected<Error> fail(ErrorKind kind, std::string code, std::string 
 }
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -9,6 +9,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile::retime {
 
 /// Which frame of an old motion each frame of a new one shows, fractions included.
@@ -188,3 +190,5 @@ Result<Motion> with_steady_rate(const Motion& motion, double frame_rate, double 
                                 const RetimeOptions& options, Diagnostics& diagnostics);
 
 }  // namespace kinefile::retime
+
+#pragma GCC visibility pop

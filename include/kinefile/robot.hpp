@@ -11,6 +11,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile::robot {
 
 /// A component as a motion of loose parts: every pose a joint that moves freely (roll, pitch and
@@ -104,3 +106,5 @@ bool is_robot(const Skeleton& skeleton);
 Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnostics& diagnostics);
 
 }  // namespace kinefile::robot
+
+#pragma GCC visibility pop

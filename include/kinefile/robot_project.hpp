@@ -12,6 +12,8 @@
 #include "kinefile/pose_flow.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// How a slider acts when the robot is seen in a mirror (_PAIR).
@@ -70,3 +72,5 @@ Result<RobotProject> read_project(std::string_view bytes, const ReadOptions& opt
                                   Diagnostics& diagnostics);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -12,6 +12,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/servo_map.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile::servo {
 
 /// Angles of joints over time, each joint by its name.
@@ -88,3 +90,5 @@ Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& ma
                            const KeyframeOptions& options, Diagnostics& diagnostics);
 
 }  // namespace kinefile::servo
+
+#pragma GCC visibility pop

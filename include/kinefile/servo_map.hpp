@@ -11,6 +11,8 @@
 #include "kinefile/result.hpp"
 #include "kinefile/robot_project.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// What one slider means to one joint: angle in degrees = sign * (word - offset) /
@@ -52,3 +54,5 @@ Result<ServoMap> parse_servo_map(std::string_view text, const std::string& sourc
 std::string to_yaml(const ServoMap& map);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

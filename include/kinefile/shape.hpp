@@ -9,6 +9,8 @@
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile::shape {
 
 /// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets,
@@ -88,3 +90,5 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
                              Diagnostics& diagnostics);
 
 }  // namespace kinefile::shape
+
+#pragma GCC visibility pop

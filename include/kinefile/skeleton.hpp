@@ -11,6 +11,8 @@
 #include "kinefile/math.hpp"
 #include "kinefile/result.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 inline constexpr std::size_t kNoParent = std::numeric_limits<std::size_t>::max();
@@ -137,3 +139,5 @@ std::vector<std::string> column_names(const Skeleton& skeleton);
 std::string channel_name(DofKind kind, std::size_t axis);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

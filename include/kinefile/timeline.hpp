@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Frames that are equally far apart, by the time from one to the next.
@@ -100,3 +102,5 @@ double frame_at_time(const Timeline& timeline, double seconds);
 double duration(const Timeline& timeline, std::size_t num_frames);
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -5,6 +5,8 @@
 
 #include "kinefile/array.hpp"
 
+#pragma GCC visibility push(default)
+
 namespace kinefile {
 
 /// Poses of all joints over some frames. Arrays that were not asked for are empty.
@@ -27,3 +29,5 @@ struct WorldPoses : PoseArrays {};
 struct LocalPoses : PoseArrays {};
 
 }  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -55,8 +55,8 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
     if (between.coeffs().allFinite()) move.turn = twist_about(between, up);
   }
   const auto translations = translation_columns(root);
-  move.shift = position_in_row(root, translations, to) -
-               move.turn * position_in_row(root, translations, from);
+  move.shift = position_in_row(root.offset, translations, to) -
+               move.turn * position_in_row(root.offset, translations, from);
   move.shift[up] = 0;
   if (!move.shift.allFinite()) move.shift.setZero();
   return move;
@@ -73,9 +73,9 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   std::vector<double> near(before.begin(), before.end());
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = clip.mutate()[f];
-    const Vec3 place = position_in_row(root, translations, row);
+    const Vec3 place = position_in_row(root.offset, translations, row);
     if (!translations.empty())
-      fit_position(root, translations, move.turn * place + move.shift, row);
+      fit_position(root.offset, translations, move.turn * place + move.shift, row);
     if (!is_turned) continue;
     if (free) {
       set_free_rotation(row, *free, turn * free_rotation(row, *free));

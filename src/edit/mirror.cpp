@@ -234,8 +234,9 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, Clip&
   if (to.empty()) return 0;
   double left = 0;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const Vec3 place = position_in_row(source, from, context.motion.clip.row(f));
-    left = std::max(left, fit_position(target, to, reflect(plan.parent, place), clip.mutate()[f]));
+    const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
+    left = std::max(left,
+                    fit_position(target.offset, to, reflect(plan.parent, place), clip.mutate()[f]));
   }
   return left;
 }

@@ -8,15 +8,10 @@
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "math/turns.hpp"
 
 namespace kinefile::edit {
 namespace {
-
-/// An angle moved by whole turns to within half a turn of another; itself, bit for bit, if it is.
-double nearest_turn(double angle, double near, double turn) {
-  const double turns = std::round((near - angle) / turn);
-  return turns == 0 ? angle : angle + turn * turns;
-}
 
 /// Takes the jumps by whole turns out of a column.
 void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double turn) {
@@ -38,11 +33,6 @@ struct Triple {
     return {row[columns[0]], row[columns[1]], row[columns[2]]};
   }
 };
-
-Vec3 nearest_turns(const Vec3& angles, const Vec3& near, double turn) {
-  return {nearest_turn(angles[0], near[0], turn), nearest_turn(angles[1], near[1], turn),
-          nearest_turn(angles[2], near[2], turn)};
-}
 
 void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double turn) {
   std::optional<Vec3> before;

@@ -3,21 +3,12 @@
 #include <cmath>
 
 #include "kinefile/math.hpp"
+#include "math/turns.hpp"
 
 namespace kinefile {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-/// Moves an angle by whole turns to within half a turn of another.
-double nearest_turn(double angle, double near) {
-  return angle + kTurn * std::round((near - angle) / kTurn);
-}
-
-Vec3 nearest_turns(const Vec3& angles, const Vec3& near) {
-  return {nearest_turn(angles[0], near[0]), nearest_turn(angles[1], near[1]),
-          nearest_turn(angles[2], near[2])};
-}
 
 [[maybe_unused]] bool are_euler_axes(const EulerAxes& axes) {
   constexpr double kTolerance = 1e-9;
@@ -60,11 +51,11 @@ Vec3 euler_angles(const Mat3& rotation, const EulerAxes& axes, const Vec3& near)
   // error of an a that is hardly known; read from the first row of r, it would not.
   const Vec3 row = std::cos(a) * r.row(1).transpose() + std::sin(a) * r.row(2).transpose();
   const double c = sign * (is_proper ? std::atan2(-row[2], row[1]) : std::atan2(row[0], row[1]));
-  const Vec3 first = nearest_turns({a, b, c}, near);
+  const Vec3 first = nearest_turns({a, b, c}, near, kTurn);
   if (lock < kLocked) return first;
   // The same rotation by the other way around the middle axis.
   const double pi = std::numbers::pi;
-  const Vec3 second = nearest_turns({a + pi, is_proper ? -b : pi - b, c + pi}, near);
+  const Vec3 second = nearest_turns({a + pi, is_proper ? -b : pi - b, c + pi}, near, kTurn);
   const bool is_second = (second - near).squaredNorm() < (first - near).squaredNorm();
   return is_second ? second : first;
 }

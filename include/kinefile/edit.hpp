@@ -71,7 +71,8 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
 /// of the second. It is turned only if all roots turn about three axes or move freely. The
 /// skeletons agree if names, parents, degrees of freedom and columns do, and offsets to 1e-6 of the
 /// skeleton's size; rest values may differ. Frame rates agree to 1e-6, unless frames have times of
-/// their own: these go on, by the median step of the first. \errors EDT005 (Usage) if
+/// their own: these go on, by the median step of the first.
+/// \errors EDT005 (Usage) if
 /// the skeletons or frame rates differ, one has fewer frames than are
 ///         to be blended, or the result would have more than 2^30 values
 Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames);
@@ -79,7 +80,10 @@ Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_
 /// The motion of some joints and of all joints above them, which keep their places in the world.
 /// A joint that loses all children and has no tip gets tips where they were; with a warning
 /// (EDT010) if they moved there. Columns go with their joints, unless a joint that stays reads
-/// them. \errors EDT006 (Usage) if a name is no joint's
+/// them.
+/// \param names  whatever their case where no two joints differ by case alone; `*` stands for any
+///               characters
+/// \errors EDT006 (Usage) if a name is no joint's
 Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
                       Diagnostics& diagnostics);
 

@@ -25,10 +25,10 @@ struct ValueRows {
 /// Where poses go: memory of the caller's, laid out as in `PoseArrays`. What is empty is not
 /// computed, but positions are always.
 struct PoseSpans {
-  std::span<double> positions;   ///< [frame][joint][3]
-  std::span<double> rotations;   ///< [frame][joint][4] or empty
-  std::span<double> directions;  ///< [frame][joint][3] or empty
-  std::span<double> tips;        ///< [frame][tip][3] or empty
+  std::span<double> positions = {};   ///< [frame][joint][3]
+  std::span<double> rotations = {};   ///< [frame][joint][4] or empty
+  std::span<double> directions = {};  ///< [frame][joint][3] or empty
+  std::span<double> tips = {};        ///< [frame][tip][3] or empty
 };
 
 /// How a joint stands in the world: world_from_joint = T(position) rotation.

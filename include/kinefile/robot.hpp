@@ -96,8 +96,9 @@ struct RobotNames {
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
                               Diagnostics& diagnostics);
 
-/// Whether a skeleton is a robot's as our readers make it: one root, which moves freely and reads
-/// the first seven columns, and joints that move in one way at most.
+/// Whether a skeleton is a robot's as our readers make it: one root, which moves freely from the
+/// world's origin and reads the first seven columns, and joints that turn or translate in one way
+/// at most, by other columns.
 bool is_robot(const Skeleton& skeleton);
 
 /// Brings ZMP into the world's frame, or into the root link's: z = R^-1 (p - root). Choreonoid's

@@ -15,12 +15,13 @@ namespace kinefile::shape {
 
 /// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets,
 /// axes and tips are turned, rest rotations become none. Values stay as they are, bit for bit.
-/// \errors BRG001 (DataLoss) if a joint that moves freely has a rest rotation
+/// \errors BRG001 (DataLoss) if a joint that moves freely has a rest rotation, or one above it has
 Result<Motion> with_world_aligned_rest(const Motion& motion);
 
 /// The same motion without movements along bones (ASF `l`): the children of such a joint move in
 /// its place, by the same columns.
-/// \errors BRG002 (DataLoss) if a tip moves, which has no children to do so, and not `lenient`
+/// \errors BRG002 (DataLoss) if a tip moves where no child sits, which would do so, and not
+///         `lenient`
 Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
                                          Diagnostics& diagnostics);
 
@@ -36,14 +37,17 @@ Motion without_inner_tips(const Motion& motion);
 /// JOINT_to_CHILD and JOINT_end. A root of another name becomes a bone of no length on the root.
 /// Positions of other joints are told from the rest pose on, so that all coordinates rest at 0;
 /// those that never leave it are left out. Names that ASF could not hold are changed.
+/// Joints below the root that rest turned get the world's axes (see `with_world_aligned_rest`).
 /// What was added, changed or left out is told in notes; positions of joints stay.
 /// \errors BRG003 (DataLoss) if there are several roots, or joints are scaled, or move freely
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics);
 
-/// Puts a motion on another skeleton, joint by joint of the same name, whatever its case: the
-/// rotations, as far as the other skeleton's degrees of freedom go, and the positions of roots.
-/// Rotations count from the rest poses, in which both are taken to stand alike.
-/// Joints that are missing on either side, and turns that cannot be made, are told in warnings.
+/// Puts a motion on another skeleton, joint by joint of the same name (its case counts only where
+/// two joints differ by case alone); the first joints of both belong together whatever their names.
+/// Rotations, translations and tails count from the rest poses, in which both are taken to stand
+/// alike, roots go where the other's are; all as far as the other skeleton's degrees of freedom go.
+/// Where both joints do the same by the same values, these are copied, bit for bit.
+/// Joints that are missing on either side, and what cannot be done, are told in warnings.
 /// \errors BRG004 (Usage) if no joint has the name of another, or one moves freely
 Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
                              Diagnostics& diagnostics);

@@ -56,8 +56,8 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
     if (between.coeffs().allFinite()) move.turn = twist_about(between, up);
   }
   const auto translations = translation_columns(root);
-  move.shift = position_in_row(root, translations, to) -
-               move.turn * position_in_row(root, translations, from);
+  move.shift = position_in_row(root.offset, translations, to) -
+               move.turn * position_in_row(root.offset, translations, from);
   move.shift[up] = 0;
   if (!move.shift.allFinite()) move.shift.setZero();
   return move;
@@ -91,8 +91,8 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   const auto translations = translation_columns(root);
   const Rows rows = clip.mutate();
   for (std::size_t f = 0; !translations.empty() && f < clip.num_frames; ++f) {
-    const Vec3 place = position_in_row(root, translations, rows[f]);
-    fit_position(root, translations, move.turn * place + move.shift, rows[f]);
+    const Vec3 place = position_in_row(root.offset, translations, rows[f]);
+    fit_position(root.offset, translations, move.turn * place + move.shift, rows[f]);
   }
   if (move.turn.vec().norm() == 0) return;
   const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;

@@ -62,7 +62,6 @@ void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
 /// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
 /// that formats which know coordinate axes alone can still say it.
 void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& dof, Motion& motion) {
-  const auto old_axis = coordinate_axis(dof.axis);
   dof.axis = opposite(opposite(turn(dof.axis)));
   const bool is_turned_around = coordinate_axis(-dof.axis).has_value();
   // A scale along -y is one along y; a length along the bone stays one.
@@ -74,10 +73,24 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
     dof.lower = -std::exchange(dof.upper, -dof.lower);
     negate_column(motion.clip, dof.coordinate);
   }
-  std::string& channel = motion.skeleton.coordinates[dof.coordinate].channel;
-  const auto new_axis = coordinate_axis(dof.axis);
-  if (old_axis && new_axis && channel == channel_name(dof.kind, *old_axis)) {
-    channel = channel_name(dof.kind, *new_axis);
+}
+
+/// Gives columns the names of the axes that they are about or along now; of several degrees of
+/// freedom that read one, the first counts.
+void rename_channels(const Skeleton& old, Skeleton& skeleton) {
+  std::vector<bool> is_named(skeleton.coordinates.size(), false);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    for (std::size_t d = 0; d < skeleton.joints[j].dofs.size(); ++d) {
+      const DegreeOfFreedom& dof = skeleton.joints[j].dofs[d];
+      const auto old_axis = coordinate_axis(old.joints[j].dofs[d].axis);
+      const auto new_axis = coordinate_axis(dof.axis);
+      if (dof.kind == DofKind::Free || is_named[dof.coordinate]) continue;
+      is_named[dof.coordinate] = true;
+      std::string& channel = skeleton.coordinates[dof.coordinate].channel;
+      if (old_axis && new_axis && channel == channel_name(dof.kind, *old_axis)) {
+        channel = channel_name(dof.kind, *new_axis);
+      }
+    }
   }
 }
 
@@ -123,13 +136,13 @@ void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& t
   const Rows rows = clip.mutate();
   std::optional<Vec3> start;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    Vec3 place = position_in_row(root, translations, rows[f]);
+    Vec3 place = position_in_row(root.offset, translations, rows[f]);
     if (!place.allFinite()) continue;
     if (!start) start = place;
     const double height = place[up];
     place = *start;
     place[up] = height;
-    fit_position(root, translations, place, rows[f]);
+    fit_position(root.offset, translations, place, rows[f]);
   }
 }
 
@@ -164,7 +177,9 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
   }
   const QuarterTurn turn{axis == 2};
   const auto readers = num_readers_of_columns(motion.skeleton);
+  const Skeleton before = motion.skeleton;
   for (Joint& joint : motion.skeleton.joints) turn_joint(turn, readers, joint, motion);
+  rename_channels(before, motion.skeleton);
   return motion;
 }
 

@@ -7,6 +7,7 @@
 
 #include "kinefile/edit.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "model/joint_names.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -19,14 +20,11 @@ Error no_such_joint(const std::string& name) {
 Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
                                                 std::span<const std::string> names) {
   std::vector<bool> is_kept(skeleton.joints.size(), false);
+  const JointNames known(skeleton);
   for (const std::string& name : names) {
-    bool is_known = false;
-    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-      if (skeleton.joints[j].name != name) continue;
-      is_known = true;
-      is_kept[j] = true;
-    }
-    if (!is_known) return fail(no_such_joint(name));
+    const std::vector<std::size_t> found = known.matching(name);
+    if (found.empty()) return fail(no_such_joint(name));
+    for (const std::size_t j : found) is_kept[j] = true;
   }
   // Parents come first, so that going backwards meets every child before its parent.
   for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
@@ -43,7 +41,7 @@ std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
   for (const TranslationColumn& translation : translations) {
     if (!is_always(clip, translation.column, clip.row(0)[translation.column])) return std::nullopt;
   }
-  const Vec3 place = position_in_row(joint, translations, clip.row(0));
+  const Vec3 place = position_in_row(joint.offset, translations, clip.row(0));
   return place.allFinite() ? std::optional(place) : std::nullopt;
 }
 

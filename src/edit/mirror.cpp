@@ -237,8 +237,9 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, const
   if (to.empty()) return 0;
   double residual = 0;
   for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
-    const Vec3 place = position_in_row(source, from, context.motion.clip.row(f));
-    residual = std::max(residual, fit_position(target, to, reflect(plan.parent, place), rows[f]));
+    const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
+    residual =
+        std::max(residual, fit_position(target.offset, to, reflect(plan.parent, place), rows[f]));
   }
   return residual;
 }

@@ -4,47 +4,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "kinefile/kinematics.hpp"
+#include "model/joint_names.hpp"
 
 namespace kinefile {
 namespace {
 
-struct JointPair {
-  std::size_t first;
-  std::size_t second;
-};
-
-/// The joints of every name, the last of them first.
-std::map<std::string, std::vector<std::size_t>> joints_by_name(const Skeleton& skeleton) {
-  std::map<std::string, std::vector<std::size_t>> joints;
-  for (std::size_t j = skeleton.joints.size(); j-- > 0;) {
-    joints[skeleton.joints[j].name].push_back(j);
+/// The joints to compare; tells which there are in one motion only.
+std::vector<JointPair> pair_joints(const Skeleton& first, const Skeleton& second,
+                                   MotionComparison& comparison) {
+  std::vector<JointPair> pairs = match_joints(first, second);
+  std::vector<bool> is_matched_first(first.joints.size(), false);
+  std::vector<bool> is_matched_second(second.joints.size(), false);
+  for (const JointPair pair : pairs) {
+    is_matched_first[pair.first] = true;
+    is_matched_second[pair.second] = true;
+    if (first.joints[pair.first].tips.size() != second.joints[pair.second].tips.size()) {
+      comparison.other_tips.push_back(first.joints[pair.first].name);
+    }
   }
-  return joints;
-}
-
-std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& second,
-                                    MotionComparison& comparison) {
-  std::vector<JointPair> pairs;
-  auto others = joints_by_name(second);
-  std::vector<bool> is_matched(second.joints.size(), false);
   for (std::size_t j = 0; j < first.joints.size(); ++j) {
-    auto& waiting = others[first.joints[j].name];
-    if (waiting.empty()) {
-      comparison.only_in_first.push_back(first.joints[j].name);
-      continue;
-    }
-    pairs.push_back({j, waiting.back()});
-    if (first.joints[j].tips.size() != second.joints[waiting.back()].tips.size()) {
-      comparison.other_tips.push_back(first.joints[j].name);
-    }
-    is_matched[waiting.back()] = true;
-    waiting.pop_back();
+    if (!is_matched_first[j]) comparison.only_in_first.push_back(first.joints[j].name);
   }
   for (std::size_t j = 0; j < second.joints.size(); ++j) {
-    if (!is_matched[j]) comparison.only_in_second.push_back(second.joints[j].name);
+    if (!is_matched_second[j]) comparison.only_in_second.push_back(second.joints[j].name);
   }
   return pairs;
 }
@@ -197,7 +181,7 @@ MotionComparison compare_motions(const Motion& first, const Motion& second) {
   MotionComparison comparison;
   comparison.num_frames_first = first.clip.num_frames;
   comparison.num_frames_second = second.clip.num_frames;
-  const auto pairs = match_joints(first.skeleton, second.skeleton, comparison);
+  const auto pairs = pair_joints(first.skeleton, second.skeleton, comparison);
   if (first.clip.num_frames == 0 || second.clip.num_frames == 0) return comparison;
 
   const double unit_a = first.skeleton.metres_per_unit;

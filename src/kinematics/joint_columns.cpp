@@ -8,6 +8,27 @@
 #include "kinefile/kinematics.hpp"
 
 namespace kinefile {
+namespace {
+
+/// Columns that are there once each: where several translations read one, it moves along the sum.
+std::vector<TranslationColumn> without_repeated_columns(
+    const std::vector<TranslationColumn>& translations) {
+  std::vector<TranslationColumn> columns;
+  for (const TranslationColumn& translation : translations) {
+    const auto same = std::find_if(columns.begin(), columns.end(),
+                                   [&translation](const TranslationColumn& other) {
+                                     return other.column == translation.column;
+                                   });
+    if (same == columns.end()) {
+      columns.push_back(translation);
+    } else {
+      same->axis += translation.axis;
+    }
+  }
+  return columns;
+}
+
+}  // namespace
 
 double whole_turn(AngleUnit unit) {
   return unit == AngleUnit::Degrees ? 360.0 : 2 * std::numbers::pi;
@@ -32,30 +53,37 @@ std::vector<TranslationColumn> translation_columns(const Joint& joint) {
   return translations;
 }
 
-Vec3 position_in_row(const Joint& joint, const std::vector<TranslationColumn>& translations,
+Vec3 position_in_row(const Vec3& offset, const std::vector<TranslationColumn>& translations,
                      std::span<const double> row) {
-  Vec3 position = joint.offset;
+  Vec3 position = offset;
   for (const TranslationColumn& translation : translations)
     position += row[translation.column] * translation.axis;
   return position;
 }
 
-double fit_position(const Joint& joint, const std::vector<TranslationColumn>& translations,
+double fit_position(const Vec3& offset, const std::vector<TranslationColumn>& translations,
                     const Vec3& position, std::span<double> row) {
-  if (translations.empty()) return (position - joint.offset).norm();
-  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(translations.size()));
-  for (std::size_t k = 0; k < translations.size(); ++k) {
-    axes.col(static_cast<Eigen::Index>(k)) = translations[k].axis;
+  const std::vector<TranslationColumn> columns = without_repeated_columns(translations);
+  const Vec3 wanted = position - offset;
+  if (columns.empty()) return wanted.norm();
+  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(columns.size()));
+  Eigen::VectorXd values(axes.cols());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const double now = row[columns[k].column];
+    axes.col(static_cast<Eigen::Index>(k)) = columns[k].axis;
+    values[static_cast<Eigen::Index>(k)] = std::isfinite(now) ? now : 0;
   }
   constexpr double kSquare = 1e-12;
-  const Vec3 wanted = position - joint.offset;
   // Axes at right angles, which is the rule, need no equations: exact where they are x, y and z.
-  const bool is_square = (axes.transpose() * axes).isIdentity(kSquare);
-  const Eigen::VectorXd values =
-      is_square ? Eigen::VectorXd(axes.transpose() * wanted)
-                : Eigen::VectorXd(axes.completeOrthogonalDecomposition().solve(wanted));
-  for (std::size_t k = 0; k < translations.size(); ++k) {
-    row[translations[k].column] = values[static_cast<Eigen::Index>(k)];
+  if ((axes.transpose() * axes).isIdentity(kSquare)) {
+    values = axes.transpose() * wanted;
+  } else {
+    const auto solver = axes.completeOrthogonalDecomposition();
+    // The second step takes off what rounding left of the first.
+    for (int step = 0; step < 2; ++step) values += solver.solve(wanted - axes * values);
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    row[columns[k].column] = values[static_cast<Eigen::Index>(k)];
   }
   return (axes * values - wanted).norm();
 }

@@ -25,13 +25,16 @@ struct TranslationColumn {
 /// What moves a joint's origin: its translations, or the first three columns of a free joint.
 std::vector<TranslationColumn> translation_columns(const Joint& joint);
 
-/// Where a joint's origin is in its parent's frame.
-Vec3 position_in_row(const Joint& joint, const std::vector<TranslationColumn>& translations,
+/// Where translations put a point, for a joint's origin in its parent's frame.
+/// \param offset  where the point is without them
+Vec3 position_in_row(const Vec3& offset, const std::vector<TranslationColumn>& translations,
                      std::span<const double> row);
 
-/// Moves a joint's origin to a place in its parent's frame, or as near as its translations let it.
-/// \returns the distance that is left
-double fit_position(const Joint& joint, const std::vector<TranslationColumn>& translations,
+/// Finds the values of translations that put a point in a place, or as near to it as they can, by
+/// least squares. Where several values do, those nearest to the ones in the row.
+/// \param offset  where the point is without them
+/// \returns the distance that remains
+double fit_position(const Vec3& offset, const std::vector<TranslationColumn>& translations,
                     const Vec3& position, std::span<double> row);
 
 /// The column of a joint's free movement, or nothing for a joint that has none.

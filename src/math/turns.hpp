@@ -15,6 +15,7 @@ inline double nearest_turn(double angle, double near, double turn) {
   return std::abs(turns) < 0.5 ? angle : angle + turn * std::round(turns);
 }
 
+/// As `nearest_turn`, for each of three angles.
 inline Vec3 nearest_turns(const Vec3& angles, const Vec3& near, double turn) {
   return {nearest_turn(angles[0], near[0], turn), nearest_turn(angles[1], near[1], turn),
           nearest_turn(angles[2], near[2], turn)};

@@ -103,7 +103,8 @@ Vec3 rest_offset(const Joint& joint) {
 bool adds_positions(const Skeleton& skeleton) {
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::Translation && joint.offset.dot(dof.axis) != 0) return true;
+      const Vec3 axis = joint.rest_rotation * dof.axis;
+      if (dof.kind == DofKind::Translation && joint.offset.dot(axis) != 0) return true;
     }
   }
   return false;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "kinefile/kinematics.hpp"
 #include "kinefile/retime.hpp"
+#include "model/joint_names.hpp"
 #include "retime/curves.hpp"
 #include "retime/dtw.hpp"
 #include "retime/frame_distance.hpp"
@@ -20,15 +20,10 @@ struct SharedJoints {
 };
 
 SharedJoints joints_in_both(const Skeleton& first, const Skeleton& second) {
-  std::multimap<std::string, std::size_t> others;
-  for (std::size_t j = 0; j < second.joints.size(); ++j) others.emplace(second.joints[j].name, j);
   SharedJoints shared;
-  for (std::size_t j = 0; j < first.joints.size(); ++j) {
-    const auto other = others.lower_bound(first.joints[j].name);
-    if (other == others.end() || other->first != first.joints[j].name) continue;
-    shared.first.push_back(j);
-    shared.second.push_back(other->second);
-    others.erase(other);
+  for (const JointPair pair : match_joints(first, second)) {
+    shared.first.push_back(pair.first);
+    shared.second.push_back(pair.second);
   }
   return shared;
 }

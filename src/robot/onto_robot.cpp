@@ -8,6 +8,7 @@
 
 #include "base/words.hpp"
 #include "kinefile/robot.hpp"
+#include "model/joint_names.hpp"
 #include "robot/robot.hpp"
 
 namespace kinefile::robot {
@@ -21,35 +22,30 @@ constexpr double kToldDegrees = 1e-4;
 struct Follower {
   std::size_t link = 0;
   std::size_t source = 0;
-  std::size_t base = 0;              ///< the link that the path starts at
-  std::vector<std::size_t> path;     ///< from behind the base to the link itself
-  std::vector<std::size_t> turning;  ///< of the path, those that turn: at most three
-  Quat path_rest = Quat::Identity();
-  std::vector<Vec3> axes;   ///< of the turning links, as the last one's frame has them at rest
-  double largest_rest = 0;  ///< radians that were left undone
+  std::size_t base = 0;               ///< the link that the path starts at
+  std::vector<std::size_t> path;      ///< from behind the base to the link itself
+  std::vector<std::size_t> turning;   ///< of the path, those that turn: at most three
+  Quat path_rest = Quat::Identity();  ///< the path where the turning links' angles are 0, the
+                                      ///< others' as they rest
+  std::vector<Vec3> axes;       ///< of the turning links, as the last one's frame has them at rest
+  double largest_residual = 0;  ///< radians that remain undone
   std::size_t largest_frame = 0;
 };
-
-std::optional<std::size_t> find_joint(const Skeleton& skeleton, const std::string& name) {
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    if (lowered(skeleton.joints[j].name) == lowered(name)) return j;
-  }
-  return std::nullopt;
-}
 
 /// The figure's joint that each link follows; `kNoParent` for none.
 std::vector<std::size_t> sources_of(const Skeleton& figure, const Skeleton& robot,
                                     const RobotNames& names) {
   std::vector<std::size_t> sources(robot.joints.size(), kNoParent);
+  const JointNames figure_names(figure);
   for (std::size_t j = 0; j < sources.size(); ++j) {
     const std::string& link = robot.joints[j].name;
     const auto joint_name = names.joint_of_link.find(link);
     for (const std::string& name :
          {link, joint_name == names.joint_of_link.end() ? link : joint_name->second}) {
       const auto mapped = names.source_of.find(name);
-      const auto found =
-          find_joint(figure, mapped == names.source_of.end() ? name : mapped->second);
-      if (found && sources[j] == kNoParent) sources[j] = *found;
+      const std::vector<std::size_t>& found =
+          figure_names.find(mapped == names.source_of.end() ? name : mapped->second);
+      if (!found.empty() && sources[j] == kNoParent) sources[j] = found.front();
     }
   }
   if (sources[0] == kNoParent) sources[0] = 0;
@@ -58,6 +54,12 @@ std::vector<std::size_t> sources_of(const Skeleton& figure, const Skeleton& robo
 
 bool turns(const Joint& joint) {
   return !joint.dofs.empty() && joint.dofs[0].kind == DofKind::Rotation;
+}
+
+/// How a link is turned about its axis at rest.
+Quat rest_turn(const Joint& joint) {
+  if (!turns(joint)) return Quat::Identity();
+  return Quat(Eigen::AngleAxisd(joint.dofs[0].rest, joint.dofs[0].axis));
 }
 
 /// Whether a third axis stands at right angles to two others, up to rounding.
@@ -73,7 +75,6 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
   for (const std::size_t j : follower.path) {
     is_settled[j] = true;
     const Quat& rest = robot.joints[j].rest_rotation;
-    follower.path_rest = follower.path_rest * rest;
     for (Vec3& axis : follower.axes) axis = rest.conjugate() * axis;
     if (!turns(robot.joints[j])) continue;
     follower.turning.push_back(j);
@@ -90,6 +91,12 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
     drop_first();
   }
   if (follower.turning.size() == 2 && !is_across(follower.axes[0], follower.axes[1])) drop_first();
+  for (const std::size_t j : follower.path) {
+    const auto& turning = follower.turning;
+    const bool is_free = std::find(turning.begin(), turning.end(), j) != turning.end();
+    follower.path_rest = follower.path_rest * robot.joints[j].rest_rotation;
+    if (!is_free) follower.path_rest = follower.path_rest * rest_turn(robot.joints[j]);
+  }
   return follower;
 }
 
@@ -114,7 +121,7 @@ void tell(const std::vector<Follower>& followers, const Motion& motion, const Sk
   std::vector<bool> is_used(robot.joints.size(), false);
   for (const Follower& follower : followers) {
     for (const std::size_t j : follower.turning) is_used[j] = true;
-    const double degrees = follower.largest_rest / kRadiansPerDegree;
+    const double degrees = follower.largest_residual / kRadiansPerDegree;
     if (degrees < kToldDegrees) continue;
     diagnostics.add(
         Severity::Warning, "BRG015",
@@ -205,9 +212,9 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
           const double angle = row[joint.dofs[0].coordinate];
           world[j] = world[j] * Quat(Eigen::AngleAxisd(angle, joint.dofs[0].axis));
         }
-        const double left = angle_between(world[follower.link], aim);
-        if (left > follower.largest_rest) {
-          follower.largest_rest = left;
+        const double residual = angle_between(world[follower.link], aim);
+        if (residual > follower.largest_residual) {
+          follower.largest_residual = residual;
           follower.largest_frame = first + r;
         }
       }

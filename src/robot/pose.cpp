@@ -87,9 +87,17 @@ void tell_counts(const Recorded& recorded, const Skeleton& skeleton, Diagnostics
 
 bool is_robot(const Skeleton& skeleton) {
   if (skeleton.joints.empty() || !moves_freely(skeleton.joints[0])) return false;
-  if (skeleton.joints[0].dofs[0].coordinate != 0) return false;
+  const Joint& root = skeleton.joints[0];
+  if (root.dofs[0].coordinate != 0 || !root.offset.isZero(0) ||
+      !root.rest_rotation.isApprox(Quat::Identity(), 0)) {
+    return false;
+  }
   return std::all_of(skeleton.joints.begin() + 1, skeleton.joints.end(), [](const Joint& joint) {
-    return joint.parent != kNoParent && joint.dofs.size() <= 1 && !moves_freely(joint);
+    const bool moves_in_one_way =
+        joint.dofs.empty() ||
+        (joint.dofs.size() == 1 && joint.dofs[0].coordinate >= kRootColumns &&
+         (joint.dofs[0].kind == DofKind::Rotation || joint.dofs[0].kind == DofKind::Translation));
+    return joint.parent != kNoParent && moves_in_one_way;
   });
 }
 

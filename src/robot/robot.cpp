@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/turns.hpp"
+
 namespace kinefile::robot {
 
 double angle_about(const Quat& q, const Vec3& axis, double near) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double angle = 2 * std::atan2(q.vec().dot(axis), q.w());
-  return angle + kTurn * std::round((near - angle) / kTurn);
+  return nearest_turn(angle, near, kTurn);
 }
 
 Quat rotation_of(const Component& links, std::span<const double> pose) {

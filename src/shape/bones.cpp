@@ -36,6 +36,7 @@ struct Builder {
   std::vector<std::string> renamed = {};
   std::vector<std::string> with_positions = {};     ///< joints other than roots that move so
   std::vector<std::string> without_positions = {};  ///< and those that could, but never do
+  std::vector<std::string> with_rest_values = {};   ///< joints that rest at other values than 0
 
   std::vector<Joint>& joints() { return result.skeleton.joints; }
 };
@@ -61,12 +62,18 @@ std::size_t add_joint(Builder& builder, std::string name, std::size_t parent, co
   return builder.joints().size() - 1;
 }
 
-/// Gives a new joint the degrees of freedom of an old one, which then rest at 0.
-void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root) {
+enum class Dofs { All, OfTail, AllButTail };
+
+/// Gives a new joint degrees of freedom of an old one, which then rest at 0.
+void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root,
+              Dofs which = Dofs::All) {
   const Joint& old = builder.motion.skeleton.joints[old_index];
   bool has_moved = false;
   bool has_rested = false;
+  bool loses_rest = false;
   for (DegreeOfFreedom dof : old.dofs) {
+    const bool is_of_tail = dof.kind == DofKind::TailTranslation;
+    if (which == (is_of_tail ? Dofs::AllButTail : Dofs::OfTail)) continue;
     NewColumn column{dof.coordinate, 0};
     const std::string channel = builder.motion.skeleton.coordinates[dof.coordinate].channel;
     if (dof.kind == DofKind::Translation && !is_root) {
@@ -77,12 +84,14 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
       column.minus = dof.rest;
     }
     if (dof.kind == DofKind::TailScale) continue;  // it was found not to change anything
+    loses_rest |= dof.rest != 0 && dof.kind != DofKind::Translation;
     dof.rest = 0;
     dof.coordinate = builder.columns.size();
     builder.columns.push_back(column);
     builder.result.skeleton.coordinates.push_back({new_index, channel});
     builder.joints()[new_index].dofs.push_back(dof);
   }
+  if (loses_rest) builder.with_rest_values.push_back(old.name);
   if (has_moved) builder.with_positions.push_back(old.name);
   if (has_rested && !has_moved) builder.without_positions.push_back(old.name);
 }
@@ -144,15 +153,17 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
         fmt::format("the root rests at the origin, not where '{}' did", old.name));
   }
   builder.joints().push_back(std::move(root));
-  add_dofs(builder, old_index, 0, true);
+  const bool keeps_name = lowered(old.name) == "root";
+  add_dofs(builder, old_index, 0, true, keeps_name ? Dofs::All : Dofs::AllButTail);
   builder.new_of_old.push_back(0);
   Vec3 end = Vec3::Zero();
-  if (lowered(old.name) == "root") {
+  if (keeps_name) {
     if (old.name != "root") builder.renamed.push_back(old.name + "' to 'root");
   } else {
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
     const std::string name = unique_name(builder, as_bone_name(old.name));
     builder.new_of_old.back() = add_joint(builder, name, 0, end);
+    add_dofs(builder, old_index, builder.new_of_old.back(), true, Dofs::OfTail);
   }
   add_tips(builder, old, builder.new_of_old.back(), end);
 }
@@ -186,15 +197,23 @@ std::optional<Error> obstacle_of(const Motion& motion) {
   return std::nullopt;
 }
 
-/// The first joint whose scale changes in the motion.
+/// The first joint that is scaled in the motion, or at rest where there are no frames.
 std::optional<std::string> scaled_joint(const Motion& motion) {
   for (const Joint& joint : motion.skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::TailScale && !is_always(motion.clip, dof.coordinate, dof.rest))
-        return joint.name;
+      const bool is_scaled =
+          motion.clip.num_frames > 0 ? !is_always(motion.clip, dof.coordinate, 1) : dof.rest != 1;
+      if (dof.kind == DofKind::TailScale && is_scaled) return joint.name;
     }
   }
   return std::nullopt;
+}
+
+/// Whether a joint below the root is turned in its rest pose, as no bone is: its axes are.
+bool is_turned_below_root(const Skeleton& skeleton) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
+    return joint.parent != kNoParent && !joint.rest_rotation.isApprox(Quat::Identity(), 0);
+  });
 }
 
 /// Whether the motion is one of bones already.
@@ -257,6 +276,8 @@ void tell_changes(Builder& builder) {
   note(Severity::Warning, builder.renamed, "names that no bone can have were changed");
   note(Severity::Note, builder.without_positions,
        "positions of joints that never leave their offset are left out");
+  note(Severity::Note, builder.with_rest_values,
+       "bones rest where all values are 0, not as these joints did");
   note(Severity::Warning, builder.with_positions,
        "positions of joints other than the root are written as tx ty tz, which few programs read");
 }
@@ -264,8 +285,13 @@ void tell_changes(Builder& builder) {
 }  // namespace
 
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics) {
-  if (is_of_bones(motion.skeleton)) return motion;
   if (auto obstacle = obstacle_of(motion)) return fail(std::move(*obstacle));
+  if (is_turned_below_root(motion.skeleton)) {
+    const auto aligned = with_world_aligned_rest(motion);
+    if (!aligned) return fail(aligned.error());
+    return with_bones(*aligned, lenient, diagnostics);
+  }
+  if (is_of_bones(motion.skeleton)) return motion;
   if (const auto scaled = scaled_joint(motion)) {
     Error error = not_bones(fmt::format("bones cannot be scaled as '{}' is", *scaled));
     if (!lenient) return fail(std::move(error));

@@ -6,6 +6,7 @@
 
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::shape {
@@ -41,7 +42,8 @@ struct JointChange {
   Vec3 offset = Vec3::Zero();
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
-  std::vector<DegreeOfFreedom> old_translations;  ///< where there are new positions
+  std::vector<TranslationColumn> old_translations;  ///< where there are new positions; the axes
+                                                    ///< are the joint's own
   EulerAxes axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };
 
@@ -72,6 +74,17 @@ void add_column(JointChange& change, ColumnSource column, std::string channel,
   change.channels.push_back(std::move(channel));
 }
 
+/// A vector of the parent's frame in the frame in which a joint's translations are, and back. It
+/// keeps its bits where the joint does not rest turned.
+Vec3 in_rest_frame(const Joint& joint, const Vec3& v) {
+  const bool is_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
+  return is_turned ? joint.rest_rotation.conjugate() * v : v;
+}
+Vec3 from_rest_frame(const Joint& joint, const Vec3& v) {
+  const bool is_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
+  return is_turned ? joint.rest_rotation * v : v;
+}
+
 /// Puts what position channels do into the offset, where they do not change.
 Result<void> drop_positions(const Context& context, const Joint& joint, JointChange& change) {
   for (const DegreeOfFreedom& dof : joint.dofs) {
@@ -88,13 +101,14 @@ Result<void> drop_positions(const Context& context, const Joint& joint, JointCha
       context.diagnostics.add(std::move(error));
       constant = dof.rest;
     }
-    change.offset += *constant * dof.axis;
+    change.offset += from_rest_frame(joint, *constant * dof.axis);
   }
   return {};
 }
 
 /// Keeps the joint's position channels and adds those that it lacks.
 void complete_positions(const Context& context, const Joint& joint, JointChange& change) {
+  Vec3 offset = in_rest_frame(joint, joint.offset);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const std::string channel = channel_name(DofKind::Translation, k);
@@ -105,7 +119,8 @@ void complete_positions(const Context& context, const Joint& joint, JointChange&
       is_there = true;
     }
     if (is_there) continue;
-    const double value = context.adds_positions ? 0 : std::exchange(change.offset[axis], 0.0);
+    const double value = context.adds_positions ? 0 : std::exchange(offset[axis], 0.0);
+    if (value != 0) change.offset = from_rest_frame(joint, offset);
     add_column(change, {ColumnSource::From::Constant, 0, value, 0}, channel,
                DegreeOfFreedom{DofKind::Translation, Vec3::Unit(axis), 0, value});
   }
@@ -129,21 +144,22 @@ bool are_plain(const Context& context, std::size_t joint_index, DofKind kind) {
 bool adds_to_offset(const Joint& joint) {
   return std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
     return dof.kind == DofKind::Translation &&
-           (joint.rest_rotation.conjugate() * joint.offset).dot(dof.axis) != 0;
+           in_rest_frame(joint, joint.offset).dot(dof.axis) != 0;
   });
 }
 
 /// Gives a joint positions along x, y and z for those that it has along other axes, or from
 /// columns that others read, too.
 void replace_positions(const Context& context, const Joint& joint, JointChange& change) {
-  for (const DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind == DofKind::Translation) change.old_translations.push_back(dof);
-  }
   Vec3 rest = Vec3::Zero();
-  for (const DegreeOfFreedom& dof : change.old_translations) rest += dof.rest * dof.axis;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Translation) continue;
+    change.old_translations.push_back({dof.axis, dof.coordinate});
+    rest += dof.rest * dof.axis;
+  }
   if (!context.adds_positions) {
     // What stands in the offset's place counts from where the offset counts from.
-    rest += joint.rest_rotation.conjugate() * std::exchange(change.offset, Vec3::Zero());
+    rest += in_rest_frame(joint, std::exchange(change.offset, Vec3::Zero()));
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
@@ -153,60 +169,83 @@ void replace_positions(const Context& context, const Joint& joint, JointChange& 
   }
 }
 
+/// The angles about other axes of the rotation that a joint's degrees of freedom make at rest.
+Vec3 rest_angles(const std::vector<DegreeOfFreedom>& rotations, const EulerAxes& axes,
+                 AngleUnit unit) {
+  Mat3 rotation = Mat3::Identity();
+  for (const DegreeOfFreedom& dof : rotations) {
+    rotation = rotation * Eigen::AngleAxisd(dof.rest * radians_per(unit), dof.axis);
+  }
+  return euler_angles(rotation, axes) / radians_per(unit);
+}
+
 /// Adds three rotations: the joint's own where they are in order, else angles to be found.
-void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept,
+void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept, AngleUnit unit,
                    JointChange& change) {
   change.old_rotations = rotations_of(joint);
   const bool is_kept = are_kept && is_in_order(change.old_rotations, order);
   change.has_new_angles = !is_kept;
+  for (std::size_t k = 0; k < 3; ++k) {
+    change.axes[k] = Vec3::Unit(static_cast<Eigen::Index>(order[k]));
+  }
+  const Vec3 rest =
+      is_kept ? Vec3(Vec3::Zero()) : rest_angles(change.old_rotations, change.axes, unit);
   std::size_t next_old = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto axis = static_cast<Eigen::Index>(order[k]);
-    change.axes[k] = Vec3::Unit(axis);
+    DegreeOfFreedom dof{DofKind::Rotation, change.axes[k], 0, rest[static_cast<Eigen::Index>(k)]};
     ColumnSource column{ColumnSource::From::Angle, 0, 0, k};
     if (is_kept) column.from = ColumnSource::From::Constant;
     if (is_kept && next_old < change.old_rotations.size() &&
         axis_of(change.old_rotations[next_old]) == order[k]) {
-      column = {ColumnSource::From::Column, change.old_rotations[next_old].coordinate, 0, 0};
-      ++next_old;
+      dof = change.old_rotations[next_old++];  // with its rest value and its limits
+      column = {ColumnSource::From::Column, dof.coordinate, 0, 0};
     }
-    add_column(change, column, channel_name(DofKind::Rotation, order[k]),
-               DegreeOfFreedom{DofKind::Rotation, change.axes[k], 0, 0});
+    add_column(change, column, channel_name(DofKind::Rotation, order[k]), dof);
   }
 }
 
-/// The degree of freedom of a joint that reads a column, if one does.
-std::optional<DegreeOfFreedom> reader_of(const Joint& joint, std::size_t column) {
-  const auto found =
-      std::find_if(joint.dofs.begin(), joint.dofs.end(),
-                   [column](const DegreeOfFreedom& dof) { return dof.coordinate == column; });
-  return found == joint.dofs.end() ? std::nullopt : std::optional(*found);
+bool is_tail(const DegreeOfFreedom& dof) {
+  return dof.kind == DofKind::TailTranslation || dof.kind == DofKind::TailScale;
 }
 
-/// Keeps the columns of a joint that are neither positions nor rotations.
-void keep_others(const Context& context, std::size_t joint_index, JointChange& change) {
+/// Keeps columns of a joint: those that some of its degrees of freedom read, and those that nothing
+/// reads. A column of another joint that one of these reads becomes the joint's own.
+/// \param is_kept  whether a degree of freedom is one of these
+template <class IsKept>
+void keep_columns(const Context& context, std::size_t joint_index, const IsKept& is_kept,
+                  JointChange& change) {
   const Skeleton& skeleton = context.motion.skeleton;
+  const std::vector<DegreeOfFreedom>& dofs = skeleton.joints[joint_index].dofs;
+  std::vector<std::size_t> columns;
   for (const std::size_t c : context.columns_of_joint[joint_index]) {
-    const auto dof = reader_of(skeleton.joints[joint_index], c);
-    if (dof && (dof->kind == DofKind::Translation || dof->kind == DofKind::Rotation)) continue;
-    add_column(change, {ColumnSource::From::Column, c, 0, 0}, skeleton.coordinates[c].channel, dof);
+    const bool is_read = std::any_of(dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& dof) {
+      return dof.coordinate == c && is_kept(dof);
+    });
+    if (is_read || context.num_readers[c] == 0) columns.push_back(c);
+  }
+  for (const DegreeOfFreedom& dof : dofs) {
+    const bool is_there =
+        std::find(columns.begin(), columns.end(), dof.coordinate) != columns.end();
+    if (is_kept(dof) && !is_there) columns.push_back(dof.coordinate);
+  }
+  const std::size_t first = change.columns.size();
+  for (const std::size_t c : columns) {
+    add_column(change, {ColumnSource::From::Column, c, 0, 0}, skeleton.coordinates[c].channel, {});
+  }
+  for (DegreeOfFreedom dof : dofs) {
+    if (!is_kept(dof)) continue;
+    const auto at = std::find(columns.begin(), columns.end(), dof.coordinate);
+    dof.coordinate = first + static_cast<std::size_t>(at - columns.begin());
+    change.dofs.push_back(dof);
   }
 }
 
 /// Keeps all columns of a joint as they are.
 JointChange unchanged(const Context& context, std::size_t joint_index) {
-  const Skeleton& skeleton = context.motion.skeleton;
-  const Joint& joint = skeleton.joints[joint_index];
   JointChange change;
-  change.offset = joint.offset;
-  change.dofs = joint.dofs;
-  for (const std::size_t c : context.columns_of_joint[joint_index]) {
-    for (std::size_t d = 0; d < joint.dofs.size(); ++d) {
-      if (joint.dofs[d].coordinate == c) change.dofs[d].coordinate = change.columns.size();
-    }
-    change.columns.push_back({ColumnSource::From::Column, c, 0, 0});
-    change.channels.push_back(skeleton.coordinates[c].channel);
-  }
+  change.offset = context.motion.skeleton.joints[joint_index].offset;
+  keep_columns(
+      context, joint_index, [](const DegreeOfFreedom&) { return true; }, change);
   return change;
 }
 
@@ -256,18 +295,13 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
     return fail(std::move(dropped.error()));
   }
   if (is_as_is && rotations.empty()) {
-    keep_others(context, joint_index, change);
+    keep_columns(context, joint_index, is_tail, change);
     return change;
   }
-  add_rotations(joint, order, has_plain_rotations && !is_refused, change);
-  keep_others(context, joint_index, change);
+  add_rotations(joint, order, has_plain_rotations && !is_refused,
+                context.motion.skeleton.angle_unit, change);
+  keep_columns(context, joint_index, is_tail, change);
   return change;
-}
-
-/// The sum of a joint's old translations in a row, on top of what its offset was.
-Vec3 position_in_row(const JointChange& change, Vec3 base, std::span<const double> row) {
-  for (const DegreeOfFreedom& dof : change.old_translations) base += row[dof.coordinate] * dof.axis;
-  return base;
 }
 
 /// Fills a joint's columns of some frames.
@@ -278,7 +312,7 @@ void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
   for (std::size_t i = 0; i < frames.count; ++i) {
     const auto row = source.row(frames.first + i);
     const auto columns = out[frames.first + i].subspan(first_column);
-    const Vec3 position = position_in_row(change, base, row);
+    const Vec3 position = position_in_row(base, change.old_translations, row);
     for (std::size_t c = 0; c < change.columns.size(); ++c) {
       const ColumnSource& column = change.columns[c];
       double& value = columns[c];
@@ -297,7 +331,7 @@ void fill_columns(const Motion& source, std::size_t joint_index, const JointChan
   const AngleUnit unit = source.skeleton.angle_unit;
   // What the joint's offset gave up to its positions.
   const Joint& joint = source.skeleton.joints[joint_index];
-  const Vec3 base = joint.rest_rotation.conjugate() * (joint.offset - change.offset);
+  const Vec3 base = in_rest_frame(joint, joint.offset - change.offset);
   rotation::AngleFinder finder(change.axes, unit == AngleUnit::Degrees, Vec3::Zero());
   simd::Quaternions rotations;
   simd::Angles angles;

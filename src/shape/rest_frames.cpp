@@ -25,6 +25,19 @@ bool moves_along_its_bone(const Joint& joint) {
   });
 }
 
+/// Whether a tip is the inner end of a bone: a child sits there.
+bool is_inner(const Skeleton& skeleton, const Tip& tip, const std::vector<std::size_t>& children) {
+  return std::any_of(children.begin(), children.end(), [&](std::size_t child) {
+    return skeleton.joints[child].offset == tip.offset;
+  });
+}
+
+bool has_outer_tip(const Skeleton& skeleton, const Joint& joint,
+                   const std::vector<std::size_t>& children) {
+  return std::any_of(joint.tips.begin(), joint.tips.end(),
+                     [&](const Tip& tip) { return !is_inner(skeleton, tip, children); });
+}
+
 /// Lets the children of a joint move as its tail does.
 void hand_down(Motion& motion, std::size_t joint_index, const DegreeOfFreedom& tail,
                const std::vector<std::size_t>& children) {
@@ -76,8 +89,10 @@ Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
     if (!moves_along_its_bone(joint)) continue;
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::TailTranslation) continue;
-      const bool is_still = is_always(motion.clip, dof.coordinate, 0);
-      const bool moves_tip = !is_still && !joint.tips.empty() && children[j].empty();
+      // Without frames the rest pose is all that there is.
+      const bool is_still = is_always(motion.clip, dof.coordinate, 0) &&
+                            (motion.clip.num_frames > 0 || dof.rest == 0);
+      const bool moves_tip = !is_still && has_outer_tip(motion.skeleton, joint, children[j]);
       if (moves_tip) {
         Error error = make_error(
             ErrorKind::DataLoss, "BRG002",
@@ -119,12 +134,10 @@ Motion without_inner_tips(const Motion& motion) {
   const auto children = children_of_joints(motion.skeleton);
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
     std::vector<Tip>& tips = result.skeleton.joints[j].tips;
-    const auto is_inner = [&](const Tip& tip) {
-      return std::any_of(children[j].begin(), children[j].end(), [&](std::size_t child) {
-        return motion.skeleton.joints[child].offset == tip.offset;
-      });
-    };
-    tips.erase(std::remove_if(tips.begin(), tips.end(), is_inner), tips.end());
+    const auto inner = std::remove_if(tips.begin(), tips.end(), [&](const Tip& tip) {
+      return is_inner(motion.skeleton, tip, children[j]);
+    });
+    tips.erase(inner, tips.end());
   }
   return result;
 }

@@ -1,0 +1,554 @@
+// SPDX-License-Identifier: MIT
+#include "support/random_skeletons.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile::test {
+
+double random_number(RandomSource& random, double low, double high) {
+  // Not std::uniform_real_distribution, which gives other numbers with other libraries.
+  const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
+  return low + (high - low) * unit;
+}
+
+bool random_chance(RandomSource& random, double probability) {
+  return random_number(random, 0, 1) < probability;
+}
+
+std::size_t random_below(RandomSource& random, std::size_t bound) { return random() % bound; }
+
+Vec3 random_vector(RandomSource& random, double size) {
+  const double x = random_number(random, -size, size);
+  const double y = random_number(random, -size, size);
+  return {x, y, random_number(random, -size, size)};
+}
+
+Quat random_rotation(RandomSource& random) {
+  const Vec3 axis = random_vector(random, 1) + Vec3(0, 0, 1e-3);
+  return Quat(Eigen::AngleAxisd(random_number(random, -3.1, 3.1), axis.normalized()));
+}
+
+namespace {
+
+constexpr std::size_t kNumRandomFrames = 14;
+
+/// What a column means.
+enum class Means { Angle, Length, Scale, Free, Nothing };
+
+/// A skeleton in the making.
+struct Maker {
+  RandomSource& random;
+  RandomTraits traits;
+  Motion motion = {};
+  std::vector<Means> meanings = {};
+
+  Skeleton& skeleton() { return motion.skeleton; }
+};
+
+std::size_t new_column(Maker& maker, std::size_t joint, Means means) {
+  maker.meanings.push_back(means);
+  const std::size_t column = maker.skeleton().coordinates.size();
+  maker.skeleton().coordinates.push_back({joint, fmt::format("c{}", column)});
+  return column;
+}
+
+/// A new column, or one that is there.
+std::size_t some_column(Maker& maker, std::size_t joint, Means means) {
+  if (maker.traits.shared_columns && random_chance(maker.random, 0.07)) {
+    std::vector<std::size_t> known;
+    for (std::size_t c = 0; c < maker.meanings.size(); ++c) {
+      if (maker.meanings[c] == means) known.push_back(c);
+    }
+    if (!known.empty()) return known[random_below(maker.random, known.size())];
+  }
+  return new_column(maker, joint, means);
+}
+
+/// Three axes: x, y and z in an order, such that are turned, or oblique ones.
+std::array<Vec3, 3> random_axes(Maker& maker) {
+  std::array<Vec3, 3> axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  std::swap(axes[0], axes[random_below(maker.random, 3)]);
+  std::swap(axes[1], axes[1 + random_below(maker.random, 2)]);
+  if (!maker.traits.oblique_axes || random_chance(maker.random, 0.4)) return axes;
+  const Quat turn = random_rotation(maker.random);
+  for (Vec3& axis : axes) axis = (turn * axis).normalized();
+  if (random_chance(maker.random, 0.5)) return axes;
+  for (Vec3& axis : axes) axis = (axis + random_vector(maker.random, 0.25)).normalized();
+  return axes;
+}
+
+double random_rest(Maker& maker, double probability, double size) {
+  const bool has_rest = maker.traits.rest_values && random_chance(maker.random, probability);
+  return has_rest ? random_number(maker.random, -size, size) : 0;
+}
+
+double quarter_turn(const Skeleton& skeleton) {
+  return skeleton.angle_unit == AngleUnit::Degrees ? 90 : std::numbers::pi / 2;
+}
+
+void add_dof(Maker& maker, std::size_t joint, DofKind kind, const Vec3& axis, double rest,
+             std::size_t column) {
+  std::string& channel = maker.skeleton().coordinates[column].channel;
+  const auto along = coordinate_axis(axis);
+  if (along && channel.front() == 'c') channel = channel_name(kind, *along);
+  for (const Joint& other : maker.skeleton().joints) {  // a column has one rest value
+    for (const DegreeOfFreedom& dof : other.dofs) {
+      if (dof.kind != DofKind::Free && dof.coordinate == column) rest = dof.rest;
+    }
+  }
+  maker.skeleton().joints[joint].dofs.push_back({kind, axis, column, rest});
+}
+
+void add_free(Maker& maker, std::size_t joint) {
+  const std::size_t first = new_column(maker, joint, Means::Free);
+  for (std::size_t k = 1; k < 7; ++k) new_column(maker, joint, Means::Free);
+  maker.skeleton().joints[joint].dofs.push_back({DofKind::Free, Vec3::UnitX(), first, 0});
+  const Vec3 place = random_vector(maker.random, 1);
+  const Quat turn = random_rotation(maker.random);
+  maker.skeleton().joints[joint].free_rest = {place[0], place[1], place[2], turn.w(),
+                                              turn.x(), turn.y(), turn.z()};
+}
+
+void add_dofs(Maker& maker, std::size_t joint, bool is_root) {
+  RandomSource& random = maker.random;
+  const auto translations = random_axes(maker);
+  const std::size_t num_translations =
+      random_chance(random, is_root ? 0.8 : 0.2) ? 1 + random_below(random, 3) : 0;
+  for (std::size_t k = 0; k < num_translations; ++k) {
+    add_dof(maker, joint, DofKind::Translation, translations[k], random_rest(maker, 0.5, 1),
+            some_column(maker, joint, Means::Length));
+  }
+  const auto rotations = random_axes(maker);
+  const std::size_t num_rotations = random_chance(random, 0.5) ? 3 : random_below(random, 3);
+  for (std::size_t k = 0; k < num_rotations; ++k) {
+    add_dof(maker, joint, DofKind::Rotation, rotations[k],
+            random_rest(maker, 0.3, quarter_turn(maker.skeleton())),
+            some_column(maker, joint, Means::Angle));
+  }
+  const auto tails = random_axes(maker);
+  const std::size_t num_tails = random_chance(random, 0.15) ? 1 + random_below(random, 2) : 0;
+  const bool is_scale = random_chance(random, 0.5);
+  for (std::size_t k = 0; k < num_tails; ++k) {
+    if (is_scale && maker.traits.tail_scales) {
+      add_dof(maker, joint, DofKind::TailScale, tails[k], 1,
+              some_column(maker, joint, Means::Scale));
+    } else if (!is_scale && maker.traits.tail_translations) {
+      add_dof(maker, joint, DofKind::TailTranslation, tails[k], random_rest(maker, 0.3, 0.5),
+              some_column(maker, joint, Means::Length));
+    }
+  }
+}
+
+Quat random_rest_rotation(RandomSource& random) {
+  if (random_chance(random, 0.7)) return random_rotation(random);
+  return Quat(Eigen::AngleAxisd(std::numbers::pi / 2,
+                                Vec3::Unit(static_cast<Eigen::Index>(random_below(random, 3)))));
+}
+
+Vec3 random_offset(RandomSource& random) {
+  if (random_chance(random, 0.1)) return Vec3::Zero();
+  Vec3 offset = random_vector(random, 1);
+  if (random_chance(random, 0.3)) offset[0] = offset[2] = 0;
+  return offset;
+}
+
+/// Puts the columns into another order; those of a free joint stay together.
+void shuffle_columns(Maker& maker) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t c = 0; c < maker.meanings.size(); ++c) {
+    groups.emplace_back();
+    const std::size_t count = maker.meanings[c] == Means::Free ? 7 : 1;
+    for (std::size_t k = 0; k < count; ++k) groups.back().push_back(c + k);
+    c += count - 1;
+  }
+  for (std::size_t i = groups.size(); i > 1; --i) {
+    std::swap(groups[i - 1], groups[random_below(maker.random, i)]);
+  }
+  std::vector<std::size_t> new_of_old(maker.meanings.size());
+  std::vector<Coordinate> coordinates;
+  std::vector<Means> meanings;
+  for (const auto& group : groups) {
+    for (const std::size_t old : group) {
+      new_of_old[old] = coordinates.size();
+      coordinates.push_back(maker.skeleton().coordinates[old]);
+      meanings.push_back(maker.meanings[old]);
+    }
+  }
+  maker.skeleton().coordinates = std::move(coordinates);
+  maker.meanings = std::move(meanings);
+  for (Joint& joint : maker.skeleton().joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
+  }
+}
+
+/// A curve through the frames: about a middle, as far from it, with a frequency.
+double curve_at(double middle, double size, double frequency, double phase, std::size_t frame) {
+  return middle + size * std::sin(frequency * static_cast<double>(frame) + phase);
+}
+
+void fill_free(Maker& maker, std::size_t column, const Rows& rows) {
+  const Vec3 start = random_vector(maker.random, 1);
+  const Vec3 speed = random_vector(maker.random, 0.1);
+  const Quat turn = random_rotation(maker.random);
+  const Vec3 spin = random_vector(maker.random, 0.3);
+  for (std::size_t f = 0; f < kNumRandomFrames; ++f) {
+    const auto frame = static_cast<double>(f);
+    const Vec3 place = start + frame * speed;
+    const Quat q = turn * exp_of(frame * spin);
+    const double numbers[] = {place[0], place[1], place[2], q.w(), q.x(), q.y(), q.z()};
+    std::copy_n(numbers, 7, rows[f].begin() + static_cast<std::ptrdiff_t>(column));
+  }
+}
+
+void fill_clip(Maker& maker) {
+  Clip& clip = maker.motion.clip;
+  clip.num_frames = maker.traits.without_frames ? 0 : kNumRandomFrames;
+  clip.num_coordinates = maker.meanings.size();
+  clip.timeline = {Timeline::Given::FrameTime, 1.0 / 60, 0, {}};
+  clip.values.assign(clip.num_frames * clip.num_coordinates, 0);
+  if (maker.traits.without_frames) return;
+  const Rows rows = clip.mutate();
+  const double quarter = quarter_turn(maker.skeleton());
+  for (std::size_t c = 0; c < maker.meanings.size(); ++c) {
+    const Means means = maker.meanings[c];
+    if (means == Means::Free) {
+      fill_free(maker, c, rows);
+      c += 6;
+      continue;
+    }
+    const bool is_still = random_chance(maker.random, 0.15);
+    const double size = (means == Means::Angle   ? quarter
+                         : means == Means::Scale ? 0.3
+                                                 : 0.5) *
+                        (is_still ? 0 : 1);
+    const double spread = means == Means::Angle ? quarter : 0.3;
+    const double middle =
+        random_number(maker.random, -spread, spread) + (means == Means::Scale ? 1 : 0);
+    const double frequency = random_number(maker.random, 0.05, 0.5);
+    const double phase = random_number(maker.random, 0, 6);
+    for (std::size_t f = 0; f < kNumRandomFrames; ++f) {
+      rows[f][c] = curve_at(middle, size, frequency, phase, f);
+    }
+  }
+}
+
+}  // namespace
+
+Motion random_motion(RandomSource& random, const RandomTraits& traits) {
+  Maker maker{random, traits};
+  Skeleton& skeleton = maker.skeleton();
+  skeleton.name = "random";
+  skeleton.angle_unit = random_chance(random, 0.3) ? AngleUnit::Radians : AngleUnit::Degrees;
+  skeleton.metres_per_unit = 0.01;
+  const std::size_t num_joints = 1 + random_below(random, 9);
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    Joint joint;
+    joint.name = fmt::format("j{}", j);
+    const bool is_root = j == 0 || (traits.several_roots && random_chance(random, 0.1));
+    if (!is_root) joint.parent = random_below(random, j);
+    joint.offset = random_offset(random);
+    if (traits.rest_rotations && random_chance(random, 0.4)) {
+      joint.rest_rotation = random_rest_rotation(random);
+    }
+    for (std::size_t t = random_below(random, 3); t > 0; --t) {
+      joint.tips.push_back(
+          {random_chance(random, 0.5) ? fmt::format("t{}_{}", j, t) : "", random_offset(random)});
+    }
+    skeleton.joints.push_back(std::move(joint));
+    if (traits.free_joints && random_chance(random, 0.3)) {
+      add_free(maker, j);
+    } else {
+      add_dofs(maker, j, is_root);
+    }
+    if (traits.unread_columns && random_chance(random, 0.05)) {
+      new_column(maker, j, Means::Nothing);
+    }
+  }
+  // The inner ends of bones are tips where a child sits.
+  for (std::size_t j = 1; j < num_joints; ++j) {
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (parent != kNoParent && random_chance(random, 0.2)) {
+      skeleton.joints[parent].tips.push_back({"", skeleton.joints[j].offset});
+    }
+  }
+  if (random_chance(random, 0.5)) shuffle_columns(maker);
+  fill_clip(maker);
+  EXPECT_TRUE(validate(skeleton));
+  return std::move(maker.motion);
+}
+
+Motion random_bones(RandomSource& random) {
+  Maker maker{random, {}};
+  maker.traits.shared_columns = false;
+  Skeleton& skeleton = maker.skeleton();
+  skeleton.angle_unit = random_chance(random, 0.3) ? AngleUnit::Radians : AngleUnit::Degrees;
+  skeleton.metres_per_unit = 0.0254;
+  const std::size_t num_joints = 2 + random_below(random, 7);
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    Joint joint;
+    joint.name = j == 0 ? "root" : fmt::format("bone{}", j);
+    if (j == 0) {
+      joint.offset = random_offset(random);
+      joint.rest_rotation = random_rest_rotation(random);
+    } else {
+      joint.parent = random_below(random, j);
+      if (joint.parent != 0) joint.offset = skeleton.joints[joint.parent].tips[0].offset;
+      joint.tips.push_back({"", random_offset(random)});
+    }
+    skeleton.joints.push_back(std::move(joint));
+    Quat axes = skeleton.joints[0].rest_rotation.conjugate();
+    if (j > 0) axes = random_rotation(random);
+    const auto axis = [&axes](Eigen::Index k) { return (axes * Vec3::Unit(k)).normalized(); };
+    for (Eigen::Index k = 0; k < 3 && j == 0; ++k) {
+      const std::size_t column = new_column(maker, 0, Means::Length);
+      skeleton.joints[0].dofs.push_back({DofKind::Translation, axis(k), column, 0});
+    }
+    const std::size_t num_rotations = j == 0 ? 3 : random_below(random, 4);
+    for (std::size_t k = num_rotations; k-- > 0;) {
+      const Vec3 about =
+          j == 0 ? Vec3::Unit(static_cast<Eigen::Index>(k)) : axis(static_cast<Eigen::Index>(k));
+      const std::size_t column = new_column(maker, j, Means::Angle);
+      skeleton.joints[j].dofs.push_back({DofKind::Rotation, about, column, 0});
+    }
+  }
+  fill_clip(maker);
+  EXPECT_TRUE(validate(skeleton));
+  return std::move(maker.motion);
+}
+
+Motion random_robot(RandomSource& random) {
+  Maker maker{random, {}};
+  Skeleton& skeleton = maker.skeleton();
+  skeleton.angle_unit = AngleUnit::Radians;
+  skeleton.metres_per_unit = 1;
+  const std::size_t num_joints = 2 + random_below(random, 9);
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    Joint joint;
+    joint.name = fmt::format("LINK{}", j);
+    if (j > 0) {
+      joint.parent = random_chance(random, 0.7) ? j - 1 : random_below(random, j);
+      joint.offset = random_offset(random);
+      if (random_chance(random, 0.6)) joint.rest_rotation = random_rest_rotation(random);
+    }
+    skeleton.joints.push_back(std::move(joint));
+    if (j == 0) add_free(maker, 0);
+    if (j == 0 || random_chance(random, 0.1)) continue;
+    const DofKind kind = random_chance(random, 0.8) ? DofKind::Rotation : DofKind::Translation;
+    const std::size_t column =
+        new_column(maker, j, kind == DofKind::Rotation ? Means::Angle : Means::Length);
+    skeleton.joints[j].dofs.push_back(
+        {kind, random_axes(maker)[0], column, random_rest(maker, 0.5, 1)});
+  }
+  fill_clip(maker);
+  EXPECT_TRUE(validate(skeleton));
+  return std::move(maker.motion);
+}
+
+namespace {
+
+/// Adds the other half of a joint: its image in the plane x = 0, with axes that are the images.
+void add_image(Maker& maker, std::size_t original, std::size_t parent) {
+  const Vec3 signs(-1, 1, 1);
+  Joint image = maker.skeleton().joints[original];
+  image.name.replace(0, 4, "Right");
+  image.parent = parent;
+  image.offset = signs.cwiseProduct(image.offset);
+  image.rest_rotation.y() = -image.rest_rotation.y();
+  image.rest_rotation.z() = -image.rest_rotation.z();
+  for (Tip& tip : image.tips) tip.offset = signs.cwiseProduct(tip.offset);
+  const std::size_t index = maker.skeleton().joints.size();
+  for (DegreeOfFreedom& dof : image.dofs) {
+    const Means means = dof.kind == DofKind::Rotation ? Means::Angle : Means::Length;
+    dof.coordinate = new_column(maker, index, means);
+  }
+  if (random_chance(maker.random, 0.5)) {
+    for (DegreeOfFreedom& dof : image.dofs) dof.axis = signs.cwiseProduct(dof.axis);
+  }
+  maker.skeleton().joints.push_back(std::move(image));
+}
+
+}  // namespace
+
+Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
+  Maker maker{random, {}};
+  maker.traits = {.rest_rotations = rest_rotations, .oblique_axes = false, .rest_values = false};
+  Skeleton& skeleton = maker.skeleton();
+  skeleton.angle_unit = random_chance(random, 0.3) ? AngleUnit::Radians : AngleUnit::Degrees;
+  skeleton.metres_per_unit = 1;
+  const auto add = [&](std::string name, std::size_t parent, const Vec3& offset, bool is_middle) {
+    const std::size_t index = skeleton.joints.size();
+    Joint joint;
+    joint.name = std::move(name);
+    joint.parent = parent;
+    joint.offset = offset;
+    if (rest_rotations && random_chance(random, 0.5)) {
+      joint.rest_rotation =
+          is_middle ? Quat(Eigen::AngleAxisd(random_number(random, -3, 3), Vec3::UnitX()))
+                    : random_rotation(random);
+    }
+    skeleton.joints.push_back(std::move(joint));
+    const auto axes = random_axes(maker);
+    for (std::size_t k = 0; k < 3 && parent == kNoParent; ++k) {
+      add_dof(maker, index, DofKind::Translation, axes[k], 0,
+              new_column(maker, index, Means::Length));
+    }
+    const std::size_t num_rotations = is_middle || random_chance(random, 0.5) ? 3 : 1;
+    for (std::size_t k = 0; k < num_rotations; ++k) {
+      add_dof(maker, index, DofKind::Rotation, axes[k], 0, new_column(maker, index, Means::Angle));
+    }
+    return index;
+  };
+  const std::size_t hips = add("Hips", kNoParent, Vec3(0, 2, 0.1), true);
+  const std::size_t spine = add("Spine", hips, Vec3(0, 0.6, 0.05), true);
+  for (const auto& [part, parent] : {std::pair("Leg", hips), std::pair("Arm", spine)}) {
+    std::size_t above = parent;
+    std::size_t above_image = parent;
+    const std::size_t length = 1 + random_below(random, 3);
+    for (std::size_t i = 0; i < length; ++i) {
+      Vec3 offset = random_vector(random, 0.4) + Vec3(0.7, 0, 0);
+      const std::size_t left = add(fmt::format("Left{}{}", part, i), above, offset, false);
+      skeleton.joints[left].tips.push_back({"", random_vector(random, 0.3)});
+      add_image(maker, left, above_image);
+      above = left;
+      above_image = left + 1;
+    }
+  }
+  fill_clip(maker);
+  EXPECT_TRUE(validate(skeleton));
+  return std::move(maker.motion);
+}
+
+Motion with_turned_frames(const Motion& motion, RandomSource& random) {
+  Motion turned = motion;
+  std::vector<Quat> old_from_new;
+  for (Joint& joint : turned.skeleton.joints) {
+    const Quat own = moves_freely(joint) ? Quat(Quat::Identity()) : random_rotation(random);
+    const Quat above =
+        joint.parent == kNoParent ? Quat(Quat::Identity()) : old_from_new[joint.parent];
+    old_from_new.push_back(own);
+    joint.offset = above.conjugate() * joint.offset;
+    joint.rest_rotation = (above.conjugate() * joint.rest_rotation * own).normalized();
+    for (DegreeOfFreedom& dof : joint.dofs) dof.axis = (own.conjugate() * dof.axis).normalized();
+    for (Tip& tip : joint.tips) tip.offset = own.conjugate() * tip.offset;
+  }
+  EXPECT_TRUE(validate(turned.skeleton));
+  return turned;
+}
+
+double world_size(const Motion& motion) {
+  double size = 1;
+  const bool has_frames = motion.clip.num_frames > 0;
+  const Clip clip = has_frames ? motion.clip : rest_clip(motion.skeleton);
+  const WorldPoses poses = forward_kinematics(motion.skeleton, clip, {.tips = true});
+  for (const double p : poses.positions) size = std::max(size, std::abs(p));
+  for (const double p : poses.tips) size = std::max(size, std::abs(p));
+  return size;
+}
+
+WorldDifference world_difference(const Motion& a, const Motion& b, bool rest) {
+  const bool is_at_rest = rest || (a.clip.num_frames == 0 && b.clip.num_frames == 0);
+  const Clip clip_a = is_at_rest ? rest_clip(a.skeleton) : a.clip;
+  const Clip clip_b = is_at_rest ? rest_clip(b.skeleton) : b.clip;
+  EXPECT_EQ(clip_a.num_frames, clip_b.num_frames);
+  const KinematicsOptions options = {.rotations = true, .tips = true};
+  const WorldPoses poses_a = forward_kinematics(a.skeleton, clip_a, options);
+  const WorldPoses poses_b = forward_kinematics(b.skeleton, clip_b, options);
+  std::map<std::string, std::size_t> index_of;
+  for (std::size_t j = 0; j < b.skeleton.joints.size(); ++j) {
+    index_of.try_emplace(b.skeleton.joints[j].name, j);
+  }
+  const auto first_tips_a = first_tips_of_joints(a.skeleton);
+  const auto first_tips_b = first_tips_of_joints(b.skeleton);
+  const double size = world_size(a);
+  const auto at = [](const Array<double>& numbers, std::size_t index) {
+    return Vec3(numbers.data() + index * 3);
+  };
+  const auto turn = [](const PoseArrays& poses, std::size_t index) {
+    const double* q = poses.rotations.data() + index * 4;
+    return Quat(q[0], q[1], q[2], q[3]);
+  };
+  const auto keep = [](double& largest, double value) {
+    if (!(value <= largest)) largest = value;  // NaN, too
+  };
+  WorldDifference difference;
+  for (std::size_t j = 0; j < a.skeleton.joints.size(); ++j) {
+    const auto found = index_of.find(a.skeleton.joints[j].name);
+    if (found == index_of.end()) continue;
+    ++difference.num_joints;
+    const std::size_t num_tips_a = a.skeleton.joints[j].tips.size();
+    const bool has_same_tips = num_tips_a == b.skeleton.joints[found->second].tips.size();
+    for (std::size_t f = 0; f < std::min(poses_a.num_frames, poses_b.num_frames); ++f) {
+      const std::size_t i = f * poses_a.num_joints + j;
+      const std::size_t k = f * poses_b.num_joints + found->second;
+      keep(difference.position,
+           (at(poses_a.positions, i) - at(poses_b.positions, k)).norm() / size);
+      keep(difference.rotation, angle_between(turn(poses_a, i), turn(poses_b, k)));
+      for (std::size_t t = 0; t < num_tips_a && has_same_tips; ++t) {
+        const Vec3 tip_a = at(poses_a.tips, f * poses_a.num_tips + first_tips_a[j] + t);
+        const Vec3 tip_b = at(poses_b.tips, f * poses_b.num_tips + first_tips_b[found->second] + t);
+        keep(difference.tip, (tip_a - tip_b).norm() / size);
+      }
+    }
+  }
+  return difference;
+}
+
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+bool same_skeleton(const Skeleton& a, const Skeleton& b) {
+  const auto same_dof = [](const DegreeOfFreedom& x, const DegreeOfFreedom& y) {
+    return x.kind == y.kind && x.axis == y.axis && x.coordinate == y.coordinate &&
+           x.rest == y.rest && x.lower == y.lower && x.upper == y.upper &&
+           x.max_speed == y.max_speed;
+  };
+  const auto same_tip = [](const Tip& x, const Tip& y) {
+    return x.name == y.name && x.offset == y.offset;
+  };
+  const auto same_joint = [&](const Joint& x, const Joint& y) {
+    return x.name == y.name && x.parent == y.parent && x.offset == y.offset &&
+           x.rest_rotation.coeffs() == y.rest_rotation.coeffs() && x.free_rest == y.free_rest &&
+           std::equal(x.dofs.begin(), x.dofs.end(), y.dofs.begin(), y.dofs.end(), same_dof) &&
+           std::equal(x.tips.begin(), x.tips.end(), y.tips.begin(), y.tips.end(), same_tip);
+  };
+  const auto same_column = [](const Coordinate& x, const Coordinate& y) {
+    return x.joint == y.joint && x.channel == y.channel;
+  };
+  return a.name == b.name && a.angle_unit == b.angle_unit &&
+         a.metres_per_unit == b.metres_per_unit &&
+         std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
+                    same_joint) &&
+         std::equal(a.coordinates.begin(), a.coordinates.end(), b.coordinates.begin(),
+                    b.coordinates.end(), same_column);
+}
+
+ExpectUnchanged::ExpectUnchanged(const Motion& motion)
+    : motion_(motion),
+      skeleton_(motion.skeleton),
+      values_(motion.clip.values.begin(), motion.clip.values.end()),
+      timeline_(motion.clip.timeline) {}
+
+ExpectUnchanged::~ExpectUnchanged() {
+  EXPECT_TRUE(same_skeleton(skeleton_, motion_.skeleton)) << "the input's skeleton changed";
+  EXPECT_TRUE(same_bits(values_, motion_.clip.values)) << "the input's values changed";
+  EXPECT_EQ(timeline_.value, motion_.clip.timeline.value);
+}
+
+std::size_t count_code(const Diagnostics& diagnostics, std::string_view code) {
+  return static_cast<std::size_t>(
+      std::count_if(diagnostics.items().begin(), diagnostics.items().end(),
+                    [code](const Diagnostic& item) { return item.code == code; }));
+}
+
+}  // namespace kinefile::test

@@ -146,7 +146,8 @@ Result<Motion> append_file(const Motion& motion, const Blended& blended,
   const Motion* second = std::get_if<Motion>(&other->content);
   if (second == nullptr) {
     return fail(make_error(ErrorKind::Usage, "CLI001",
-                           fmt::format("'{}' holds no motion", blended.argument)));
+                           fmt::format("'{}' holds {}", blended.argument,
+                                       has_skeleton(*other) ? "a skeleton alone" : "no motion")));
   }
   return edit::append(motion, *second, blended.num_frames);
 }

@@ -8,6 +8,7 @@
 
 #include "kinefile/convert.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/io.hpp"
 #include "kinefile/retime.hpp"
 #include "support/flows.hpp"
 #include "support/support.hpp"

@@ -18,8 +18,8 @@ namespace {
 
 constexpr Kinds kAmcWrites = {.motions = true};
 constexpr std::array<std::string_view, 1> kAmcExtensions = {".amc"};
-constexpr std::array<std::string_view, 5> kAmcReadOptions = {"encoding", "fps", "positions",
-                                                             "skeleton", "unit-in"};
+constexpr std::array<std::string_view, 4> kAmcReadOptions = {"encoding", "fps", "skeleton",
+                                                             "unit-in"};
 constexpr std::array<std::string_view, 5> kAmcWriteOptions = {"decimals", "order", "channels",
                                                               "skeleton", "up"};
 constexpr double kUsualRate = 120;

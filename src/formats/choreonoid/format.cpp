@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <set>
 
@@ -101,20 +100,10 @@ void note_contents(const Reader& reader, const SeqFile& file) {
   }
 }
 
-bool is_motion_part(ComponentKind kind, std::string_view content) {
-  return (kind == ComponentKind::Poses && content == kLinkPosition) ||
-         (kind == ComponentKind::Values && content == kJointDisplacement);
-}
-
-constexpr const char* kNoMotionPart =
-    "it wants link poses or joint displacements, and there are neither";
-
-/// Tells of names and gaps that Choreonoid does not survive.
-void check_survival(const Reader& reader, const SeqFile& file) {
-  bool has_part = false;
+/// Tells of names that Choreonoid does not survive.
+void check_names(const Reader& reader, const SeqFile& file) {
   for (const SeqComponent& component : file.components) {
     if (component.kind == ComponentKind::Other) continue;
-    has_part |= is_motion_part(component.kind, usual_content(component));
     const bool is_of_version_3 =
         component.content.starts_with("Multi") || component.content == "ZMPSeq";
     if (is_of_version_3 && file.major >= 2 && file.major != 3) {
@@ -123,7 +112,6 @@ void check_survival(const Reader& reader, const SeqFile& file) {
           component.at);
     }
   }
-  if (!has_part) reader.warn_rejected(kNoMotionPart, reader.tree.root().at);
 }
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
@@ -147,7 +135,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   note_contents(reader, file);
   check_repeated(reader, file);
-  check_survival(reader, file);
+  check_names(reader, file);
   Document document;
   document.format = "choreonoid";
   document.extras.file["encoding"] = decoded->description();
@@ -164,16 +152,6 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
   if (auto valid = validate(document); !valid) return valid;
-  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
-  const bool has_part =
-      body == nullptr || document.format == "choreonoid" ||  // whose reader has told of it
-      std::any_of(body->components.begin(), body->components.end(), [](const Component& component) {
-        return is_motion_part(component.kind, component.content);
-      });
-  if (!has_part) {
-    diagnostics.add(Severity::Warning, code::kChoreonoidRejects,
-                    fmt::format("Choreonoid 2.x will reject this: {}", kNoMotionPart));
-  }
   const auto file = unbind(document, options, diagnostics);
   if (!file) return fail(file.error());
   text::Printer printer(sink, options.decimals);

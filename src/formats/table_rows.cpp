@@ -39,11 +39,13 @@ bool are_steady(const std::vector<double>& times, double period) {
 }
 
 /// Whether times are those of frames that follow each other, to the last digit of each.
-bool are_rounded(const std::vector<double>& times, double rate) {
+/// \param most  how far a time may lie from its frame, in periods
+bool are_rounded(const std::vector<double>& times, double rate, double most) {
   const auto first = frame_that_holds(times.front(), rate);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto frame = frame_that_holds(times[i], rate);
     if (!frame || *frame != *first + static_cast<double>(i)) return false;
+    if (std::abs(times[i] * rate - *frame) > most) return false;
   }
   return true;
 }
@@ -59,10 +61,10 @@ std::optional<double> rate_of(const std::vector<double>& times) {
     return whole >= 1 && std::abs(rate - whole) <= kWhole * whole ? whole : rate;
   }
   const auto usual = steady_rate(times);
-  if (usual && usual->holds_times && are_rounded(times, usual->per_second)) {
+  if (usual && usual->holds_times && are_rounded(times, usual->per_second, 0.5)) {
     return usual->per_second;
   }
-  if (whole >= 1 && are_rounded(times, whole)) return whole;
+  if (whole >= 1 && are_rounded(times, whole, 0.05)) return whole;
   return std::nullopt;
 }
 

@@ -48,7 +48,7 @@ TEST(SteadyRate, IsTheLowestThatHoldsAllTimes) {
   EXPECT_EQ(steady({}), 1);
   EXPECT_EQ(steady({0, 1, 3}), 1);
   EXPECT_EQ(steady({0, 0.1, 0.3, 0.4, 0.7}), 10);
-  EXPECT_EQ(steady({0, 0.04, 0.12}), 25);
+  EXPECT_EQ(steady({0, 0.04, 0.16}), 25);         // 4 / 24 is 0.17
   EXPECT_EQ(steady({0, 0.033, 0.1, 0.167}), 30);  // 0.0333 is 0.033, 0.1667 is 0.167
   EXPECT_EQ(steady({0, 0.017, 0.05, 0.067}), 60);
   EXPECT_EQ(steady({0, 0.0083, 0.025}), 120);

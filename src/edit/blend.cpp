@@ -76,7 +76,7 @@ void turn_root(const Joint& root, const Quat& turn, std::span<const double> befo
   const auto rotations = rotations_of(root);
   RotationFitter fitter(rotations, unit, before);
   simd::Quaternions turned;
-  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
     rotations_in_rows(rotations, clip, frames, unit, turned);
     for (std::size_t i = 0; i < frames.count; ++i) {
       rotation::put_quaternion(turn * rotation::quaternion_at(turned, i), i, turned);

@@ -187,7 +187,7 @@ void mirror_free(const JointPlan& plan, std::size_t from, std::size_t to,
 }
 
 /// The quaternions of a joint that moves freely, normalised.
-void free_rotations_in_rows(const Clip& clip, const FrameRange& frames, std::size_t column,
+void free_rotations_in_rows(const Clip& clip, const FrameBatch& frames, std::size_t column,
                             simd::Quaternions& out) {
   rotation::resize(out, frames.count);
   for (std::size_t i = 0; i < frames.count; ++i) {
@@ -213,7 +213,7 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, const
   RotationFitter fitter(rotations_of(target), skeleton.angle_unit, rest_coordinates(skeleton));
   simd::Quaternions found;
   double residual = 0;
-  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
     if (from) {
       free_rotations_in_rows(clip, frames, *from, found);
     } else {

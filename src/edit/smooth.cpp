@@ -179,14 +179,14 @@ void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs
   simd::Quaternions rotations;
   std::vector<Lanes> quaternions(clip.num_frames);
   const Rows rows = clip.mutate();
-  const auto load = [&](const FrameRange& frames) {
+  const auto load = [&](const FrameBatch& frames) {
     rotation::resize(angles, frames.count);
     for (std::size_t i = 0; i < frames.count; ++i) {
       const auto row = rows[frames.first + i];
       for (std::size_t k = 0; k < 3; ++k) angles[k][i] = row[dofs[k].coordinate];
     }
   };
-  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
     load(frames);
     simd::quaternions_of_angles(form, angles, rotations);
     for (std::size_t i = 0; i < frames.count; ++i) {
@@ -194,7 +194,7 @@ void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs
     }
   }
   smooth_rotations(filter, quaternions);
-  for (const FrameRange& frames : batches_of(clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
     load(frames);
     rotation::resize(rotations, frames.count);
     for (std::size_t i = 0; i < frames.count; ++i) {

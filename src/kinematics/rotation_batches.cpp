@@ -7,9 +7,9 @@
 
 namespace kinefile {
 
-std::vector<FrameRange> batches_of(std::size_t num_frames) {
+std::vector<FrameBatch> batches_of(std::size_t num_frames) {
   constexpr std::size_t kFramesPerBatch = 512;
-  std::vector<FrameRange> batches;
+  std::vector<FrameBatch> batches;
   for (std::size_t first = 0; first < num_frames; first += kFramesPerBatch) {
     batches.push_back({first, std::min(kFramesPerBatch, num_frames - first)});
   }
@@ -17,7 +17,7 @@ std::vector<FrameRange> batches_of(std::size_t num_frames) {
 }
 
 void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
-                       const FrameRange& frames, AngleUnit unit, simd::Quaternions& out) {
+                       const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out) {
   std::vector<Vec3> axes;
   rotation::AngleColumns angles;
   for (const DegreeOfFreedom& dof : rotations) {
@@ -42,7 +42,7 @@ RotationFitter::RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit
   }
 }
 
-double RotationFitter::fit(simd::Quaternions& quaternions, const FrameRange& frames,
+double RotationFitter::fit(simd::Quaternions& quaternions, const FrameBatch& frames,
                            const Rows& rows) {
   if (!finder_) return fit_one_by_one(quaternions, frames, rows);
   finder_->find(quaternions, frames.count, angles_);
@@ -54,7 +54,7 @@ double RotationFitter::fit(simd::Quaternions& quaternions, const FrameRange& fra
 }
 
 double RotationFitter::fit_one_by_one(const simd::Quaternions& quaternions,
-                                      const FrameRange& frames, const Rows& rows) {
+                                      const FrameBatch& frames, const Rows& rows) {
   double largest = 0;
   for (std::size_t i = 0; i < frames.count; ++i) {
     const auto row = rows[frames.first + i];

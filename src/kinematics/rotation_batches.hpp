@@ -13,18 +13,18 @@
 namespace kinefile {
 
 /// Some frames of a clip, one after another.
-struct FrameRange {
+struct FrameBatch {
   std::size_t first = 0;
   std::size_t count = 0;
 };
 
 /// The frames of a clip in batches that stay in the processor's cache.
-std::vector<FrameRange> batches_of(std::size_t num_frames);
+std::vector<FrameBatch> batches_of(std::size_t num_frames);
 
 /// The products of a joint's rotations in some rows: `rotation_in_row` for many.
 /// \param rotations  outermost first
 void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
-                       const FrameRange& frames, AngleUnit unit, simd::Quaternions& out);
+                       const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out);
 
 /// Brings many rotations back to the degrees of freedom of a joint, each near the one before:
 /// `fit_rotation` for many.
@@ -38,10 +38,10 @@ class RotationFitter {
   /// Writes the angles of the next rotations; NaN for one that is not finite.
   /// \param quaternions  one a frame; in: the rotations; out: without meaning
   /// \returns            the largest residual angle, in radians
-  double fit(simd::Quaternions& quaternions, const FrameRange& frames, const Rows& rows);
+  double fit(simd::Quaternions& quaternions, const FrameBatch& frames, const Rows& rows);
 
  private:
-  double fit_one_by_one(const simd::Quaternions& quaternions, const FrameRange& frames,
+  double fit_one_by_one(const simd::Quaternions& quaternions, const FrameBatch& frames,
                         const Rows& rows);
 
   std::vector<DegreeOfFreedom> rotations_;

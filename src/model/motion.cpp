@@ -18,7 +18,7 @@ std::string fault_of_clip(const Clip& clip, std::size_t num_columns) {
     return fmt::format("expected {} frames of {} values, found {} values", clip.num_frames,
                        clip.num_coordinates, clip.values.size());
   }
-  const std::size_t num_times = clip.timeline.times.size();
+  const std::size_t num_times = own_times(clip.timeline).size();
   if (num_times != 0 && num_times != clip.num_frames) {
     return fmt::format("expected a time for each of {} frames, found {}", clip.num_frames,
                        num_times);

@@ -307,7 +307,7 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
 /// Fills a joint's columns of some frames.
 /// \param angles  the joint's new angles, if it has any
 void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
-               std::size_t first_column, const FrameRange& frames, const simd::Angles& angles,
+               std::size_t first_column, const FrameBatch& frames, const simd::Angles& angles,
                const Rows& out) {
   for (std::size_t i = 0; i < frames.count; ++i) {
     const auto row = source.row(frames.first + i);
@@ -335,7 +335,7 @@ void fill_columns(const Motion& source, std::size_t joint_index, const JointChan
   rotation::AngleFinder finder(change.axes, unit == AngleUnit::Degrees, Vec3::Zero());
   simd::Quaternions rotations;
   simd::Angles angles;
-  for (const FrameRange& frames : batches_of(source.clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(source.clip.num_frames)) {
     if (change.has_new_angles) {
       rotations_in_rows(change.old_rotations, source.clip, frames, unit, rotations);
       finder.find(rotations, frames.count, angles);

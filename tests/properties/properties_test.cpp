@@ -74,7 +74,7 @@ std::string random_bvh(Random& random) {
 }
 
 /// A random motion; positions may be added or replace, and notes on that do not matter here.
-ReadText random_motion(Random& random) {
+ReadText read_random_motion(Random& random) {
   ReadOptions options;
   options.positions = below(random, 2) == 0 ? PositionMode::Replace : PositionMode::Add;
   return read_bvh(random_bvh(random), options);
@@ -88,7 +88,7 @@ bool bits_agree(std::span<const double> a, std::span<const double> b) {
 TEST(Properties, WhatIsWrittenReadsTheSame) {
   Random random(11);
   for (int i = 0; i < 300; ++i) {
-    const ReadText first = random_motion(random);
+    const ReadText first = read_random_motion(random);
     ASSERT_EQ(first.diagnostics.count(Severity::Warning), 0u) << text_of(first.diagnostics);
     const std::string text = write_to_string(*first.document);
     ReadOptions options;
@@ -139,7 +139,7 @@ std::vector<Eigen::Matrix4d> plain_kinematics(const Skeleton& skeleton,
 TEST(Properties, TheKernelAgreesWithPlainMatrices) {
   Random random(12);
   for (int i = 0; i < 200; ++i) {
-    const ReadText read = random_motion(random);
+    const ReadText read = read_random_motion(random);
     const Motion& motion = read.motion();
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, {.rotations = true});
     for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
@@ -168,7 +168,7 @@ TEST(Properties, TheKernelAgreesWithPlainMatrices) {
 TEST(Properties, LocalPosesMultiplyToWorldPoses) {
   Random random(13);
   for (int i = 0; i < 100; ++i) {
-    const ReadText read = random_motion(random);
+    const ReadText read = read_random_motion(random);
     const Motion& motion = read.motion();
     const KinematicsOptions options = {.rotations = true};
     const WorldPoses world = forward_kinematics(motion.skeleton, motion.clip, options);
@@ -194,7 +194,7 @@ TEST(Properties, LocalPosesMultiplyToWorldPoses) {
 TEST(Properties, TurningTheRootTurnsTheWorld) {
   Random random(14);
   for (int i = 0; i < 100; ++i) {
-    const ReadText read = random_motion(random);
+    const ReadText read = read_random_motion(random);
     Motion motion = read.motion();
     const WorldPoses before = forward_kinematics(motion.skeleton, motion.clip);
     const Quat turn = Quat(number(random), 1, number(random), 2).normalized();
@@ -217,7 +217,7 @@ TEST(Properties, OtherChannelsMoveTheSame) {
   constexpr shape::PositionChannels kPositions[] = {shape::PositionChannels::AsIs,
                                                     shape::PositionChannels::All};
   for (int i = 0; i < 200; ++i) {
-    const ReadText read = random_motion(random);
+    const ReadText read = read_random_motion(random);
     const Motion before = read.motion();
     shape::ChannelOptions options;
     options.positions = kPositions[below(random, 2)];

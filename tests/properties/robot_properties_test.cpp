@@ -146,7 +146,7 @@ TEST(RobotProperties, LinksThatNothingMovesKeepTheirRestAngles) {
     Clip& clip = robot.clip;
     clip.num_frames = 10;
     clip.num_coordinates = 12;
-    clip.timeline = {Timeline::Given::FrameRate, 50, 0, {}};
+    clip.timeline = {FrameRate{50}, 0};
     const std::vector<double> rest = rest_coordinates(robot.skeleton);
     for (std::size_t f = 0; f < clip.num_frames; ++f) {
       std::vector<double> row = rest;

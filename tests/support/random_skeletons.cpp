@@ -213,7 +213,7 @@ void fill_clip(Maker& maker) {
   Clip& clip = maker.motion.clip;
   clip.num_frames = maker.traits.without_frames ? 0 : kNumRandomFrames;
   clip.num_coordinates = maker.meanings.size();
-  clip.timeline = {Timeline::Given::FrameTime, 1.0 / 60, 0, {}};
+  clip.timeline = {FrameTime{1.0 / 60}, 0};
   clip.values.assign(clip.num_frames * clip.num_coordinates, 0);
   if (maker.traits.without_frames) return;
   const Rows rows = clip.mutate();
@@ -542,7 +542,7 @@ ExpectUnchanged::ExpectUnchanged(const Motion& motion)
 ExpectUnchanged::~ExpectUnchanged() {
   EXPECT_TRUE(same_skeleton(skeleton_, motion_.skeleton)) << "the input's skeleton changed";
   EXPECT_TRUE(same_bits(values_, motion_.clip.values)) << "the input's values changed";
-  EXPECT_EQ(timeline_.value, motion_.clip.timeline.value);
+  EXPECT_EQ(timeline_, motion_.clip.timeline);
 }
 
 std::size_t count_code(const Diagnostics& diagnostics, std::string_view code) {

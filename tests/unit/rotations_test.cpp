@@ -55,7 +55,7 @@ TEST(RotationBatches, ProductsAreThoseOfTheRows) {
         rotations.push_back({DofKind::Rotation, random_axis(random), k % 3, 0});
       }
       simd::Quaternions found;
-      for (const FrameRange& frames : batches_of(kNumFrames)) {
+      for (const FrameBatch& frames : batches_of(kNumFrames)) {
         rotations_in_rows(rotations, motion.clip, frames, unit, found);
         for (std::size_t i = 0; i < frames.count; ++i) {
           const auto row = motion.clip.row(frames.first + i);
@@ -94,7 +94,7 @@ void expect_same_angles(const Motion& from, const EulerAxes& axes, AngleUnit uni
   RotationFitter fitter(wanted, unit, near);
   simd::Quaternions q;
   const Rows rows = found.clip.mutate();
-  for (const FrameRange& frames : batches_of(kNumFrames)) {
+  for (const FrameBatch& frames : batches_of(kNumFrames)) {
     rotations_in_rows(rotations, from.clip, frames, from.skeleton.angle_unit, q);
     const simd::Quaternions kept = q;
     EXPECT_EQ(fitter.fit(q, frames, rows), 0);

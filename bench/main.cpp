@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <span>
 
 #include "baselines.hpp"
 #include "keyframes.hpp"
@@ -122,7 +123,7 @@ void write_kinefile(benchmark::State& state) {
 }
 
 /// As a share of the largest number.
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   double difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {

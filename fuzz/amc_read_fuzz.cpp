@@ -4,6 +4,7 @@
 // a zero byte, if there is one, else a fixed one.
 
 #include <memory>
+#include <span>
 
 #include "checks.hpp"
 

@@ -4,7 +4,6 @@
 // a zero byte, if there is one, else a fixed one.
 
 #include <memory>
-#include <span>
 
 #include "checks.hpp"
 

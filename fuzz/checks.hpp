@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <span>
 #include <string>
 
 #include "kinefile/kinefile.hpp"
@@ -68,7 +69,7 @@ inline std::string written(const Document& document, std::string_view format,
 }
 
 /// The same doubles, but for what kind of NaN one is.
-inline bool same_values(const std::vector<double>& a, const std::vector<double>& b) {
+inline bool same_values(std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const bool are_nan = a[i] != a[i] && b[i] != b[i];

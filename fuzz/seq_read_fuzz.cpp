@@ -4,7 +4,6 @@
 // for bit, with all that is unknown, and is written the same again; as JSON, too.
 
 #include <algorithm>
-#include <span>
 
 #include "checks.hpp"
 

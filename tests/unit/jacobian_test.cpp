@@ -19,7 +19,7 @@ Vec3 random_vector(Random& random) {
   return {uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)};
 }
 
-Vec3 random_axis(Random& random) {
+Vec3 random_unit_axis(Random& random) {
   return random() % 2 == 0 ? Vec3(Vec3::Unit(static_cast<Eigen::Index>(random() % 3)))
                            : Vec3(random_vector(random).normalized());
 }
@@ -46,7 +46,8 @@ Skeleton random_skeleton(Random& random) {
     joint.parent = j == 0 || random() % 8 == 0 ? kNoParent : random() % j;
     joint.offset = random_vector(random);
     if (random() % 2 == 0) {
-      joint.rest_rotation = Quat(Eigen::AngleAxisd(uniform(random, 0, 3), random_axis(random)));
+      joint.rest_rotation =
+          Quat(Eigen::AngleAxisd(uniform(random, 0, 3), random_unit_axis(random)));
     }
     if (random() % 4 == 0) {
       joint.dofs = {{DofKind::Free, Vec3::UnitX(), skeleton.coordinates.size(), 0}};
@@ -57,7 +58,7 @@ Skeleton random_skeleton(Random& random) {
       for (const DofKind kind : kinds) {
         for (std::size_t n = random() % 4; n > 0; --n) {
           joint.dofs.push_back(
-              {kind, random_axis(random), random_column(random, skeleton, j, shared), 0});
+              {kind, random_unit_axis(random), random_column(random, skeleton, j, shared), 0});
         }
       }
     }

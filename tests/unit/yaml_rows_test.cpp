@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of numbers in YAML, which are taken as a whole: they say what they say one by one.
+// YamlRows of numbers in YAML, which are taken as a whole: they say what they say one by one.
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@ using text::yaml::Parser;
 using text::yaml::RowShape;
 
 /// The rows that a text gives as a whole.
-struct Rows {
+struct YamlRows {
   std::vector<RowShape> shapes;
   std::vector<double> values;
   bool is_good = false;
 };
 
-Rows rows_of(std::string_view text) {
-  Rows found;
+YamlRows rows_of(std::string_view text) {
+  YamlRows found;
   NumberRows rows;
   Parser parser(text, &rows);
   text::yaml::Event event;
@@ -81,7 +81,7 @@ TEST(YamlRows, HaveTheNumbersBits) {
       {"-4.656612873077393e-10", -4.656612873077393e-10}};
   std::string text = "- [";
   for (const auto& [word, value] : numbers) text += " " + word + ",";
-  const Rows rows = rows_of(text + " 7 ]");
+  const YamlRows rows = rows_of(text + " 7 ]");
   ASSERT_EQ(rows.values.size(), numbers.size() + 1);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     EXPECT_EQ(std::memcmp(&rows.values[i], &numbers[i].second, sizeof(double)), 0)
@@ -92,7 +92,7 @@ TEST(YamlRows, HaveTheNumbersBits) {
 TEST(YamlRows, MayGoOverSeveralLines) {
   const std::string text =
       "a:\n  - [ 1,\n      2,\n\n      3 ]\n  - [ [ 4\n    ], [ 5 ]\n    ]\nb: c\n";
-  const Rows rows = rows_of(text);
+  const YamlRows rows = rows_of(text);
   EXPECT_EQ(rows.shapes, (Shapes{{3}, {-1, -1}}));
   EXPECT_EQ(rows.values, (std::vector<double>{1, 2, 3, 4, 5}));
   expect_same_events(text);

@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "flow/blocks.hpp"
 #include "kinefile/flow.hpp"
 
 namespace kinefile::flow {

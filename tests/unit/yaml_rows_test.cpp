@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// YamlRows of numbers in YAML, which are taken as a whole: they say what they say one by one.
+// Rows of numbers in YAML, which are taken as a whole: they say what they say one by one.
 
 #include <gtest/gtest.h>
 

@@ -182,7 +182,7 @@ TEST(ShapeProperties, OtherChannelsKeepTheWorldAndTheRestPose) {
   RandomSource random(106);
   int num_root_accepted = 0;
   int num_plain = 0;
-  for (int i = 0; i < 520; ++i) {
+  for (int i = 0; i < 1040; ++i) {
     const Motion motion = random_motion(
         random,
         {.oblique_axes = i % 4 != 0, .shared_columns = i % 4 != 0, .without_frames = i % 13 == 0});

@@ -70,14 +70,6 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
   return shape::with_bones(motion, channels.lenient, diagnostics);
 }
 
-/// The motion of a document, or its skeleton as a motion without frames.
-Motion take_motion(Document& document) {
-  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
-  Motion still{skeleton_of(document), {}};
-  still.clip.num_coordinates = still.skeleton.coordinates.size();
-  return still;
-}
-
 /// The same skeleton with an end on every last joint, which many readers of BVH ask for.
 Motion with_ends(Motion motion) {
   const auto children = children_of_joints(motion.skeleton);
@@ -103,7 +95,7 @@ Result<Document> adapted_to(const Format& format, Document document,
   }
   if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
   const bool has_motion = std::holds_alternative<Motion>(document.content);
-  const Motion motion = take_motion(document);
+  const Motion motion = still_or_moving(document);
   auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
                  : is_for_bvh ? for_bvh(with_ends(motion), channels, diagnostics)
                               : shape::with_channels(motion, channels, diagnostics);

@@ -32,19 +32,11 @@ struct Globals {
 /// Options of every command that reads files.
 struct Reading {
   std::string from;
-  std::string positions = "replace";
-  std::string encoding;
-  std::string unit_in;
   std::string skeleton;
   std::string project;  ///< of a robot that flows are for
   /// What `project` names, once it has been read; see `load_project`.
   mutable std::shared_ptr<const RobotProject> loaded_project;
-  std::optional<double> max_speed;  ///< of sliders, in units a tick
-  bool in_degrees = false;          ///< of a flow's table: numbers are degrees, by the project
-  bool is_relative = false;         ///< ... from the base pose on
-  std::string timed_rounding = "ceil";
-  bool keeps_times = false;
-  std::optional<double> fps;
+  ReadOptions options;  ///< what the formats' tables of options say
   bool is_lenient = false;
   bool is_strict = false;
   const CLI::App* command = nullptr;  ///< that was given these options

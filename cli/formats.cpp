@@ -9,6 +9,13 @@
 namespace kinefile::cli {
 namespace {
 
+template <class Target>
+Json names_of(std::span<const Option<Target>> table) {
+  Json names = Json::array();
+  for (const Option<Target>& option : table) names.push_back(option.info.name);
+  return names;
+}
+
 int run(bool is_json) {
   Json all = Json::array();
   if (!is_json)
@@ -21,6 +28,8 @@ int run(bool is_json) {
                      {"reads", is_read},
                      {"writes", is_written},
                      {"extensions", format.extensions},
+                     {"read_options", names_of(format.read_options)},
+                     {"write_options", names_of(format.write_options)},
                      {"description", format.description}});
       continue;
     }

@@ -186,7 +186,7 @@ void add_keyframe(CLI::App& app, Globals& globals) {
   command->callback([keyframe, command, &globals] {
     if (keyframe->flow_format == "word_n") keyframe->options.format = FlowFormat::WordN;
     // Frames with times are interpolated at the ticks, unless they are to go to a rate's frames.
-    if (command->count("--timed-rounding") == 0) keyframe->reading.keeps_times = true;
+    if (command->count("--timed-rounding") == 0) keyframe->reading.options.keeps_times = true;
     globals.run = [keyframe, &globals] { return run(*keyframe, globals); };
   });
 }

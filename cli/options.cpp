@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "report.hpp"
 
@@ -19,20 +20,33 @@ std::string listed(const std::vector<std::string_view>& names) {
   return text;
 }
 
-/// The formats in whose table an option stands.
+bool reads_with(const Format& format, std::string_view option) {
+  return find_option(format.read_options, option) != nullptr;
+}
+
+/// Whether an option has an effect on the way to a format.
+bool writes_with(const Format& format, std::string_view option) {
+  if (format.write == nullptr) return false;
+  if (find_option(format.write_options, option) != nullptr) return true;
+  for (const AdaptOption& adapting : adapt_options()) {
+    if (adapting.option.info.name == option) return adapting.is_for(format);
+  }
+  return false;
+}
+
+/// The formats that have a use for an option.
 std::vector<std::string_view> users_of(std::string_view option,
-                                       std::span<const std::string_view> Format::*table) {
+                                       bool (*uses)(const Format&, std::string_view option)) {
   std::vector<std::string_view> names;
   for (const Format& format : formats()) {
-    if (has_option(format.*table, option)) names.push_back(format.name);
+    if (uses(format, option)) names.push_back(format.name);
   }
   return names;
 }
 
 bool is_read_option(const Reading& reading, std::string_view option) {
-  return std::any_of(
-      reading.formats.begin(), reading.formats.end(),
-      [option](const Format* format) { return has_option(format->read_options, option); });
+  return std::any_of(reading.formats.begin(), reading.formats.end(),
+                     [option](const Format* format) { return reads_with(*format, option); });
 }
 
 /// What an option is for, and what it was given for.
@@ -40,8 +54,8 @@ std::string refusal(std::string_view option, const Reading& reading, const Forma
   std::vector<std::string_view> inputs;
   for (const Format* format : reading.formats) inputs.push_back(format->name);
   std::vector<std::string> uses;
-  const auto readers = users_of(option, &Format::read_options);
-  const auto writers = users_of(option, &Format::write_options);
+  const auto readers = users_of(option, reads_with);
+  const auto writers = users_of(option, writes_with);
   if (!readers.empty()) uses.push_back("reading " + listed(readers));
   if (!writers.empty()) uses.push_back("writing " + listed(writers));
   return fmt::format("--{} has no effect {}: it is for {}", option,
@@ -56,8 +70,36 @@ Result<void> no_effect(std::string message) {
 
 }  // namespace
 
-bool has_option(std::span<const std::string_view> table, std::string_view name) {
-  return std::find(table.begin(), table.end(), name) != table.end();
+void add_flag(CLI::App& command, const TableFlag& flag) {
+  const OptionInfo& info = flag.info;
+  const std::string name = fmt::format("--{}", info.name);
+  if (command.get_option_no_throw(name) != nullptr) return;
+  const auto set = [setters = flag.setters](const std::string& word) {
+    bool is_taken = true;
+    for (const auto& setter : setters) is_taken = setter(word) && is_taken;
+    return is_taken;
+  };
+  if (info.type == OptionType::Flag) {
+    command.add_flag_callback(
+        name, [set] { set(""); }, flag.help);
+    return;
+  }
+  auto* option = command.add_option_function<std::string>(
+      name, [set](const std::string& word) { set(word); }, flag.help);
+  option->type_name(std::string(info.value_name));
+  if (!info.default_word.empty()) option->default_str(std::string(info.default_word));
+  if (info.type == OptionType::Choice) {
+    option->check(
+        CLI::IsMember(std::vector<std::string>(info.choices.begin(), info.choices.end())));
+  } else if (info.type == OptionType::Count && info.wanted.empty()) {
+    constexpr double kMost = std::numeric_limits<int>::max();
+    option->check(CLI::Range(static_cast<int>(std::max(info.least, -kMost)),
+                             static_cast<int>(std::min(info.most, kMost))));
+  } else {
+    option->check([set, wanted = std::string(info.wanted)](const std::string& word) {
+      return set(word) ? std::string() : "expected " + wanted;
+    });
+  }
 }
 
 Result<void> expect_options_of(const Reading& reading, const Format* output) {
@@ -66,10 +108,10 @@ Result<void> expect_options_of(const Reading& reading, const Format* output) {
     if (option->count() == 0) continue;
     const std::string name = option->get_single_name();
     if (name == "skeleton") continue;  // whose use shows; see `expect_skeleton_used`
-    const bool is_of_formats = !users_of(name, &Format::read_options).empty() ||
-                               !users_of(name, &Format::write_options).empty();
+    const bool is_of_formats =
+        !users_of(name, reads_with).empty() || !users_of(name, writes_with).empty();
     const bool has_use = !is_of_formats || is_read_option(reading, name) ||
-                         (output != nullptr && has_option(output->write_options, name));
+                         (output != nullptr && writes_with(*output, name));
     if (!has_use) return no_effect(refusal(name, reading, output));
   }
   return {};

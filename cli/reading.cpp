@@ -5,36 +5,11 @@
 #include <cmath>
 
 #include "command.hpp"
+#include "options.hpp"
 #include "report.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-PositionMode position_mode(const std::string& word) {
-  if (word == "add") return PositionMode::Add;
-  return word == "auto" ? PositionMode::Auto : PositionMode::Replace;
-}
-
-/// Metres in one unit of length, from a word or a number.
-std::optional<double> metres_of(const std::string& unit) {
-  if (unit == "m") return 1.0;
-  if (unit == "cm") return 0.01;
-  if (unit == "mm") return 0.001;
-  if (unit == "inch") return 0.0254;
-  double factor = 0;
-  const bool is_number = CLI::detail::lexical_cast(unit, factor);
-  return is_number && factor > 0 && factor < 1e30 ? std::optional(factor) : std::nullopt;
-}
-
-std::string check_unit(const std::string& text) {
-  return metres_of(text) ? "" : "expected m, cm, mm, inch or a factor above 0";
-}
-
-std::string check_speed(const std::string& text) {
-  double speed = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, speed);
-  return is_number && speed > 0 && speed < 1e9 ? "" : "expected units a tick above 0";
-}
 
 std::vector<std::string> readable_formats() {
   std::vector<std::string> names;
@@ -66,43 +41,9 @@ void add_reading_options(CLI::App& command, Reading& reading) {
       .add_option("--project", reading.project,
                   "The RobovieMaker project (.rpj) of the robot that a flow is for")
       ->type_name("FILE");
-  command
-      .add_option("--max-speed", reading.max_speed,
-                  "Warn of sliders of a flow that go further than so many units in a tick")
-      ->check(check_speed)
-      ->type_name("UNITS");
-  command.add_option("--fps", reading.fps, "Frames a second, instead of what the file says")
-      ->check(check_rate)
-      ->type_name("RATE");
-  command
-      .add_option("--positions", reading.positions,
-                  "What BVH position channels do to OFFSET: replace it, add to it, or auto to "
-                  "decide from the first frames")
-      ->check(CLI::IsMember({"replace", "add", "auto"}))
-      ->default_str("replace")
-      ->type_name("MODE");
-  command
-      .add_option("--encoding", reading.encoding,
-                  "Encoding of the input; else byte order marks and its bytes tell. Of convert to "
-                  "robovie the output's; else that of the input, or utf-16le")
-      ->check(CLI::IsMember({"utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"}))
-      ->type_name("ENCODING");
-  command
-      .add_option(
-          "--unit-in", reading.unit_in,
-          "What one unit of length is, where the file does not say (ASF: once divided by its "
-          "own unit)")
-      ->check(check_unit)
-      ->type_name("m|cm|mm|inch|FACTOR");
-  command
-      .add_option("--timed-rounding", reading.timed_rounding,
-                  "Where frames with times go (.seq): to the first frame at or after their time, "
-                  "the last at or before it, or none: slerp interpolates")
-      ->check(CLI::IsMember({"ceil", "floor", "slerp"}))
-      ->default_str("ceil")
-      ->type_name("HOW");
-  command.add_flag("--keep-times", reading.keeps_times,
-                   "Leave frames with times at their times (.seq)");
+  std::vector<TableFlag> flags;
+  for (const Format& format : formats()) add_table(flags, format.read_options, reading.options);
+  for (const TableFlag& flag : flags) add_flag(command, flag);
   command.add_flag("--lenient", reading.is_lenient,
                    "Repair the faults that docs/errors.md names, with a warning each");
   command.add_flag("--strict", reading.is_strict, "Take warnings for errors");
@@ -129,25 +70,28 @@ void note_format(const std::string& path, const Reading& reading, const Format* 
 
 }  // namespace
 
+namespace {
+
+bool asks_for_degrees(const Reading& reading) {
+  const CLI::Option* option = reading.command->get_option_no_throw("--degrees");
+  return option != nullptr && option->count() > 0;
+}
+
+}  // namespace
+
 Result<Document> load_quietly(const std::string& path, const Reading& reading,
                               Diagnostics& diagnostics) {
   diagnostics.warnings_are_errors = reading.is_strict;
-  ReadOptions options;
+  if (asks_for_degrees(reading) && reading.project.empty()) {
+    return fail(ErrorKind::Usage, "CLI001",
+                "--degrees needs --project, which says what words mean");
+  }
+  ReadOptions options = reading.options;
   options.lenient = reading.is_lenient;
-  options.encoding = reading.encoding;
-  options.positions = position_mode(reading.positions);
-  options.fps = reading.fps;
   options.skeleton_name = reading.skeleton;
-  if (reading.timed_rounding == "floor") options.timed_rounding = TimedRounding::Floor;
-  if (reading.timed_rounding == "slerp") options.timed_rounding = TimedRounding::Slerp;
-  options.keeps_times = reading.keeps_times;
-  if (!reading.unit_in.empty()) options.metres_per_unit = metres_of(reading.unit_in);
   auto project = load_project(reading, diagnostics);
   if (!project) return fail(std::move(project.error()));
   options.project = std::move(*project);
-  options.max_speed = reading.max_speed;
-  options.in_degrees = reading.in_degrees;
-  options.is_relative = reading.is_relative;
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   auto document = read_file(path, format, options, diagnostics);
   note_format(path, reading, format, document);
@@ -169,7 +113,7 @@ Result<std::optional<Document>> load_skeleton(const Reading& reading, Diagnostic
   if (reading.skeleton.empty()) return std::optional<Document>();
   Reading skeleton_reading = reading;
   skeleton_reading.from.clear();
-  skeleton_reading.encoding.clear();
+  skeleton_reading.options.encoding.clear();
   skeleton_reading.skeleton.clear();
   auto skeleton = load_quietly(reading.skeleton, skeleton_reading, diagnostics);
   reading.is_skeleton_used = true;

@@ -59,7 +59,7 @@ void add_resample(CLI::App& app, Globals& globals) {
       ->required()
       ->type_name("RATE");
   command
-      ->add_option("--fps-in", resample->retiming.reading.fps,
+      ->add_option("--fps-in", resample->retiming.reading.options.fps,
                    "Frames a second of the input, instead of what the file says")
       ->check(check_rate)
       ->type_name("RATE");

@@ -123,7 +123,7 @@ std::string misuse(const Run& run) {
   if (has_sliders && !run.reading.skeleton.empty()) {
     return "--skeleton has no effect without a motion of joints, by --servo-map";
   }
-  if (has_sliders && run.writing.decimals) {
+  if (has_sliders && run.writing.format.decimals) {
     return "--decimals has no effect without a motion of joints, by --servo-map";
   }
   if (run.is_trace) return {};

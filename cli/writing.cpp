@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "options.hpp"
 #include "report.hpp"
 
@@ -17,18 +19,48 @@ std::vector<std::string> writable_formats() {
   return names;
 }
 
+/// Whether an option is one of reading, too: an encoding, say.
+bool is_of_reading(std::string_view option) {
+  const auto all = formats();
+  return std::any_of(all.begin(), all.end(), [option](const Format& format) {
+    return find_option(format.read_options, option) != nullptr;
+  });
+}
+
 }  // namespace
 
 void add_writing_options(CLI::App& command, Writing& writing) {
   command.add_option("--to", writing.to, "Format of the output; else its name tells")
       ->check(CLI::IsMember(writable_formats()))
       ->type_name("FORMAT");
-  command
-      .add_option("--decimals", writing.decimals,
-                  "Digits after the point; else as many as the exact value needs")
-      ->check(CLI::Range(0, 30))
-      ->type_name("N");
+  std::vector<TableFlag> flags;
+  for (const Format& format : formats()) {
+    if (format.write != nullptr) add_table(flags, format.write_options, writing.format);
+  }
+  for (const TableFlag& flag : flags) {
+    if (!is_of_reading(flag.info.name)) add_flag(command, flag);
+  }
   command.add_flag("--force", writing.may_replace, "Replace an existing file");
+}
+
+void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading) {
+  std::vector<TableFlag> flags;
+  for (const AdaptOption& adapting : adapt_options()) {
+    add_table(flags, std::span(&adapting.option, 1), writing.adapting);
+  }
+  // What the output has in common with the input is one flag for both.
+  for (const Format& format : formats()) {
+    add_table(flags, format.write_options, writing.format);
+  }
+  for (const Format& format : formats()) add_table(flags, format.read_options, reading.options);
+  for (const AdaptOption& adapting : adapt_options()) {
+    const OptionInfo& info = adapting.option.info;
+    if (adapting.option.set != nullptr) continue;
+    std::string& path = info.name == "map" ? writing.joint_map : writing.robot;
+    command.add_option(fmt::format("--{}", info.name), path, std::string(info.help))
+        ->type_name(std::string(info.value_name));
+  }
+  for (const TableFlag& flag : flags) add_flag(command, flag);
 }
 
 const Format* output_format(const Writing& writing) {
@@ -46,20 +78,6 @@ const Format* output_format(const Writing& writing, const Document& input) {
 }
 
 namespace {
-
-KindOptions kind_options(const Writing& writing, const Reading& reading) {
-  KindOptions options;
-  options.lenient = reading.is_lenient;
-  if (writing.form == "links") options.form = robot::BodyForm::Links;
-  if (writing.form == "joints") options.form = robot::BodyForm::Joints;
-  if (writing.form == "both") options.form = robot::BodyForm::Both;
-  if (writing.flow_format == "word_n") options.flow_format = FlowFormat::WordN;
-  if (writing.flow_format == "v1r4") options.flow_format = FlowFormat::V1R4;
-  options.keeps_up = writing.up == "as-is";
-  if (writing.up == "y") options.up = 1;
-  if (writing.up == "z") options.up = 2;
-  return options;
-}
 
 Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostics) {
   const auto bytes = FileBytes::open(path);
@@ -82,10 +100,9 @@ DocumentSource source_of(const std::string& path, const Reading& reading) {
 
 Result<AdaptOptions> adapt_options(const Writing& writing, const Reading& reading,
                                    Diagnostics& diagnostics) {
-  AdaptOptions adapting;
-  adapting.channels = writing.channels;
+  AdaptOptions adapting = writing.adapting;
   adapting.channels.lenient = reading.is_lenient;
-  adapting.kinds = kind_options(writing, reading);
+  adapting.kinds.lenient = reading.is_lenient;
   adapting.skeleton = source_of(reading.skeleton, reading);
   adapting.skeleton_name = reading.skeleton;
   adapting.robot = source_of(writing.robot, reading);
@@ -101,7 +118,7 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   const auto adapting = adapt_options(writing, reading, diagnostics);
   if (!adapting) return fail(adapting.error());
   WriteOptions options = writing.format;
-  options.decimals = writing.decimals;
+  options.project = reading.loaded_project;
   auto adapted = adapt(std::move(document), format, *adapting, options, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
   if (auto used = expect_skeleton_used(reading); !used) return used;

@@ -12,19 +12,20 @@ namespace kinefile::cli {
 struct Writing {
   std::string out;  ///< "-" is standard output
   std::string to;   ///< the name of a format; empty: the output's name tells
-  std::optional<int> decimals;
   bool may_replace = false;
-  shape::ChannelOptions channels;  ///< that the motion is to have
-  WriteOptions format;             ///< what single formats can be told
-  std::string form;                ///< of a body motion: links, joints, both; empty: as it is
-  std::string joint_map;           ///< a file: which joint a robot's joints follow
-  std::string robot;               ///< --robot
-  std::string flow_format;         ///< of a flow: word_n or v1r4; empty: as it is
-  std::string up;                  ///< y, z or as-is; empty: what the format has
+  WriteOptions format;    ///< what the formats' tables of options say
+  AdaptOptions adapting;  ///< what the table of `adapt_options` says
+  std::string joint_map;  ///< a file: which joint a robot's joints follow
+  std::string robot;      ///< a file: the robot that a motion goes onto
 };
 
 /// Gives a command the options of `Writing` but for the output itself, which some take by place.
+/// Options that are of reading, too, are left to `add_reading_options`.
 void add_writing_options(CLI::App& command, Writing& writing);
+
+/// Gives a command the options of `adapt`, and those that formats have for reading and writing
+/// alike, which then are of both: call it before the options of writing and reading are added.
+void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading);
 
 /// The format that the options ask for, or null.
 const Format* output_format(const Writing& writing);

@@ -3,6 +3,7 @@
 // with a place.
 
 #include "checks.hpp"
+#include "kinefile/bvh.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace kinefile;
@@ -10,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   ReadOptions options;
   options.lenient = (data[0] & 1) != 0;
-  options.positions = static_cast<PositionMode>((data[0] >> 1) % 3);
+  options.of_formats.edit<bvh::ReadOptions>().positions =
+      static_cast<bvh::PositionMode>((data[0] >> 1) % 3);
   constexpr const char* kEncodings[] = {"", "utf-8", "cp932", "utf-16le"};
   options.encoding = kEncodings[(data[0] >> 3) % 4];
   if ((data[0] & 64) != 0) options.fps = 25;

@@ -4,6 +4,7 @@
 // flow, and is written the same again.
 
 #include "checks.hpp"
+#include "kinefile/robovie.hpp"
 
 namespace {
 
@@ -55,7 +56,7 @@ void check_flow(const PoseFlow& flow) {
 }
 
 void check_round_trip(const Document& document, const std::string& encoding) {
-  const WriteOptions to = {.encoding = encoding};
+  const WriteOptions to = {.of_formats = robovie::WriteOptions{encoding}};
   const std::string text = written(document, "robovie", to);
   Diagnostics diagnostics;
   const auto again = find_format("robovie")->read(text, {}, diagnostics);
@@ -72,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ReadOptions options;
   options.lenient = (data[0] & 1) != 0;
   options.project = project_of(bytes, options.lenient);
-  if ((data[0] & 2) != 0) options.max_speed = 10;
+  if ((data[0] & 2) != 0) options.of_formats = robovie::ReadOptions{.max_speed = 10};
   Diagnostics diagnostics;
   const auto document = find_format("robovie")->read(bytes, options, diagnostics);
   check_reading(document, diagnostics);

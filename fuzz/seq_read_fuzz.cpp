@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "checks.hpp"
+#include "kinefile/choreonoid.hpp"
 
 namespace {
 
@@ -33,21 +34,23 @@ void require_same(const Component& a, const Component& b, bool is_json) {
   require(is_json || kept(a.extras, "unknown_keys") == kept(b.extras, "unknown_keys"));
 }
 
-void check_round_trip(const Document& document, const ReadOptions& options, YamlStyle style) {
-  const WriteOptions to = {.style = style};
+void check_round_trip(const Document& document, const ReadOptions& options,
+                      choreonoid::YamlStyle style) {
+  const WriteOptions to = {.of_formats = choreonoid::WriteOptions{.style = style}};
   const std::string text = written(document, "choreonoid", to);
   Diagnostics diagnostics;
   const auto again = find_format("choreonoid")->read(text, options, diagnostics);
   require(again.has_value());
   // JSON's keys are words alone; others may become the same one.
   if (diagnostics.count_of("YML009", Severity::Warning) > 0) {
-    require(style == YamlStyle::Json || kept(document.extras.file, "style") == "json");
+    require(style == choreonoid::YamlStyle::Json || kept(document.extras.file, "style") == "json");
     return;
   }
   const auto& first = std::get<BodyMotion>(document.content).components;
   const auto& second = std::get<BodyMotion>(again->content).components;
   require(first.size() == second.size());
-  const bool is_json = style == YamlStyle::Json || kept(document.extras.file, "style") == "json";
+  const bool is_json =
+      style == choreonoid::YamlStyle::Json || kept(document.extras.file, "style") == "json";
   for (std::size_t i = 0; i < first.size(); ++i) require_same(first[i], second[i], is_json);
   require(is_json ||
           kept(document.extras.file, "unknown_keys") == kept(again->extras.file, "unknown_keys"));
@@ -69,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_reading(document, diagnostics);
   if (!document) return 0;
   check_document(*document);
-  check_round_trip(*document, options, YamlStyle::Kept);
-  check_round_trip(*document, options, YamlStyle::Json);
+  check_round_trip(*document, options, choreonoid::YamlStyle::Kept);
+  check_round_trip(*document, options, choreonoid::YamlStyle::Json);
   return 0;
 }

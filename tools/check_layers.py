@@ -38,9 +38,10 @@ LAYERS = {
 
 # The layer that declares what a public header has.
 PUBLIC = {
-    "array": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
+    "array": "base", "option": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
-    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model",
+    "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "bvh": "model", "choreonoid": "model", "csv": "model",
+    "robovie": "model",
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",
     "servo_map": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/option.hpp"
 #include "kinefile/result.hpp"
 
 #pragma GCC visibility push(default)
@@ -18,26 +19,11 @@ namespace kinefile {
 
 struct RobotProject;
 
-/// What a BVH position channel does to the same component of the joint's OFFSET. No file says it,
-/// and programs disagree: see docs/formats/bvh.md.
-enum class PositionMode {
-  Replace,  ///< the value stands instead of the component (Blender, bvhio)
-  Add,      ///< the value is added to it (three.js, PyMO)
-  Auto,     ///< decided from the first frames, with a note
-};
-
 /// Which frame of a steady rate the frame of a timed motion goes to (.seq with hasFrameTime).
 enum class TimedRounding {
   Ceil,   ///< the first one at or after its time, as the format's document says
   Floor,  ///< the last one at or before it, as Choreonoid does
   Slerp,  ///< none: values are interpolated
-};
-
-/// How a YAML document is laid out.
-enum class YamlStyle {
-  Kept,   ///< as the file was; block style for others
-  Block,  ///< rows in flow style, all else in blocks
-  Json,   ///< all in flow style, which is JSON
 };
 
 /// A file that another one needs.
@@ -63,7 +49,6 @@ struct ReadOptions {
   bool lenient = false;                  ///< repair what docs/errors.md names, with a warning each
   std::string encoding =
       {};  ///< "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect
-  PositionMode positions = PositionMode::Replace;
   std::optional<double> fps =
       std::nullopt;  ///< overrides the file's frame rate, or says what it does not
   /// Metres in the unit of length that the format leaves open: BVH's unit; what an ASF file's
@@ -77,10 +62,7 @@ struct ReadOptions {
   Resolver companions = {};
   /// Of a flow: the robot's project, for degrees and for checks of words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
-  bool in_degrees = false;   ///< of a flow's table: numbers are degrees, by the project
-  bool is_relative = false;  ///< ... from the base pose on
-  /// Of a flow: warn of sliders that go further than so many units in a tick.
-  std::optional<double> max_speed = std::nullopt;
+  FormatOptions of_formats = {};  ///< what single formats can be told: `bvh::ReadOptions`, ...
 };
 
 /// How to write a file.
@@ -91,16 +73,14 @@ struct WriteOptions {
   std::string companion = {};    ///< its name, for the file to tell it
   std::string part = {};         ///< of a set of files: the extension of the one to write
   bool is_companion = false;     ///< this is one: what it leaves out, the other file has
-  int seq_version = 0;           ///< of .seq: 1 to 4; 0: the file's own, 2 for others
-  std::string se3_format = {};   ///< of .seq: "XYZQWQXQYQZ", ...; empty: the file's own
-  YamlStyle style = YamlStyle::Kept;
-  bool choreonoid_digits = false;  ///< nine significant digits, as Choreonoid writes
-  std::string encoding = {};  ///< of a flow: "utf-16le", "cp932", "utf-8"; empty: the file's own
   /// Of a flow's table: the robot's project, with which words are degrees.
   std::shared_ptr<const RobotProject> project = nullptr;
-  bool in_degrees = false;   ///< words of sliders that have degrees
-  bool is_relative = false;  ///< degrees from the base pose on
+  FormatOptions of_formats =
+      {};  ///< what single formats can be told: `choreonoid::WriteOptions`, ...
 };
+
+using ReadOption = Option<ReadOptions>;
+using WriteOption = Option<WriteOptions>;
 
 /// What the rest must know of a format's files to bring a document into it.
 struct Conventions {
@@ -147,11 +127,10 @@ struct Format {
   /// something for the one with this extension. `write` is called for each (`WriteOptions::part`).
   bool (*has_part)(const Document&, std::string_view extension) = nullptr;
 
-  /// The options that mean something for reading and for writing this format, by the names of the
-  /// command's flags without their dashes: an option that is in neither table of the formats at
-  /// hand has no effect. Those of every format (lenient) are in none.
-  std::span<const std::string_view> read_options = {};
-  std::span<const std::string_view> write_options = {};
+  /// The options that mean something for reading and for writing this format: what is in neither
+  /// table of the formats at hand has no effect. What every format takes (lenient) is in none.
+  std::span<const ReadOption> read_options = {};
+  std::span<const WriteOption> write_options = {};
   Conventions conventions = {};
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <any>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/option.hpp"
 #include "kinefile/result.hpp"
 #include "kinefile/robot_project.hpp"
 
@@ -26,38 +28,48 @@ struct OperationContext {
   std::shared_ptr<const RobotProject> project = nullptr;
 };
 
-/// What an operation does to a document.
-using ApplyOperation =
-    std::function<Result<void>(Document&, const OperationContext&, Diagnostics&)>;
+/// A parameter of an operation. It sets a member of a struct that only the operation knows.
+using Parameter = Option<std::any>;
+
+/// How an operation is called on some documents, and what it does to them.
+struct OperationForm {
+  /// In the order of the operation's word: NAME=FIRST, then each after its separator; those that
+  /// are told by their names come last.
+  std::span<const Parameter> parameters = {};
+  /// Makes the struct of the parameters with its defaults.
+  std::any (*defaults)() = nullptr;
+  /// Changes a document; null: there is no such form.
+  Result<void> (*apply)(Document& document, const std::any& options,
+                        const OperationContext& context, Diagnostics& diagnostics) = nullptr;
+};
 
 /// An operation as the table of operations has it: what `kinefile edit`, its help and its
-/// completions know of it. A word of the command line is NAME or NAME=ARGUMENT.
+/// completions know of it.
 struct OperationInfo {
   std::string_view name;
-  std::string_view usage;    ///< how it is called on a motion: "trim=A:B"; empty: not at all
-  std::string_view help;     ///< what it does, in one line
-  bool needs_motion = true;  ///< else it takes a skeleton alone, too
+  std::string_view help;             ///< what it does, in one line
+  bool needs_motion = true;          ///< else it takes a skeleton alone, too
   bool works_on_components = false;  ///< whether it takes a body motion without its robot
-  /// Reads the argument: what follows "=", or null. An empty function says that it is not what
-  /// `usage` asks for.
-  ApplyOperation (*parse)(const std::string* argument) = nullptr;
-  std::string_view flow_usage = {};  ///< how it is called on a flow; empty: not at all
-  ApplyOperation (*parse_for_flow)(const std::string* argument) = nullptr;
+  OperationForm form = {};           ///< of all documents but flows
+  OperationForm flow_form = {};      ///< of flows
 };
 
 /// Every operation, in the order in which they are listed.
 std::span<const OperationInfo> operations();
 
-/// One operation with its argument, read from a word such as "trim=10:20".
+/// How a form of an operation is called: "loop=N[,blend=F]"; empty where there is no such form.
+std::string usage_of(const OperationInfo& info, const OperationForm& form);
+
+/// One operation with its parameters, read from a word such as "trim=10:20".
 struct Operation {
   std::string word;
   const OperationInfo* info = nullptr;
-  ApplyOperation apply = {};          ///< to all but flows; empty: the word is none for them
-  ApplyOperation apply_to_flow = {};  ///< empty: the word is none for flows
+  std::any options = {};       ///< for all documents but flows; empty: the word is none for them
+  std::any flow_options = {};  ///< empty: the word is none for flows
 };
 
 /// Reads an operation.
-/// \errors CLI001 (Usage) if there is none of that name, or its argument is not what it takes
+/// \errors CLI001 (Usage) if there is none of that name, or its parameters are not what it takes
 Result<Operation> parse_operation(const std::string& word);
 
 /// How the operations are called, in one text, for help.
@@ -76,16 +88,16 @@ Result<void> apply(std::span<const Operation> operations, Document& document,
 
 /// Changes the motion of a document. A skeleton alone is given to `change` as a motion without
 /// frames. The components of a body motion are changed one by one, each as a motion of loose parts
-/// (see `robot::motion_of_component`); all must have one length and rate.
+/// (see `robot::motion_of_component`); all must have one length and rate. After an error the
+/// document is in an unspecified state: its motion may have been taken out of it.
 /// \errors those of `change`; CLI002 (Usage) if the components do not agree; CLI001 for a flow
-Result<void> change_motion(Document& document,
-                           const std::function<Result<Motion>(const Motion&)>& change);
+Result<void> change_motion(Document& document, const std::function<Result<Motion>(Motion)>& change);
 
 /// Changes the components of a body motion one by one, each as a motion of loose parts.
 /// \param must_agree  whether they must have one length and rate
 /// \errors CLI002 (Usage) if they must and do not; those of `change`
 Result<void> change_components(BodyMotion& body, bool must_agree,
-                               const std::function<Result<Motion>(const Motion&)>& change);
+                               const std::function<Result<Motion>(Motion)>& change);
 
 /// Frames from `begin` to `end`, `end` not included, every `step` of them.
 struct FrameRange {

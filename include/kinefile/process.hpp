@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,16 @@ struct AdaptOptions {
   std::string skeleton_name = {};  ///< what that file is called; empty: there is none
   DocumentSource robot = {};       ///< a robot that a motion goes onto; else `skeleton` is it
 };
+
+/// An option of `adapt`, for flags and keywords. Those that are files are read by the caller.
+struct AdaptOption {
+  Option<AdaptOptions> option;
+  bool (*is_for)(const Format& output) =
+      nullptr;  ///< whether it can have an effect on the way there
+};
+
+/// Every option of `adapt`, in the order in which they are listed.
+std::span<const AdaptOption> adapt_options();
 
 /// Brings a document into the kind and the form that a format can take: see `in_kind_of`,
 /// `on_skeleton_of`, `adapted_to`. What had to be done is told in notes.

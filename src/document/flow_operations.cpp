@@ -2,34 +2,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <string_view>
 
 #include "document/operation_tables.hpp"
-#include "document/operation_words.hpp"
 #include "kinefile/flow.hpp"
 
 namespace kinefile::operation {
 namespace {
 
-/// An operation that makes a flow out of a flow.
-template <class Change>
-ApplyOperation on_flow(Change change) {
-  return [change](Document& document, const OperationContext& context,
-                  Diagnostics& diagnostics) -> Result<void> {
-    const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
-    if (flow == nullptr) return fail(ErrorKind::Usage, "CLI001", "expected a flow of poses");
-    Result<PoseFlow> changed = change(*flow, context, diagnostics);
-    if (!changed) return fail(std::move(changed.error()));
-    document.content = std::move(*changed);
-    return {};
-  };
+/// What an operation does to a flow.
+template <class Options>
+using ChangeOfFlow = Result<PoseFlow> (*)(const PoseFlow&, const Options&, const OperationContext&,
+                                          Diagnostics&);
+
+template <class Options, ChangeOfFlow<Options> Change>
+Result<void> change_flow_by(Document& document, const Options& options,
+                            const OperationContext& context, Diagnostics& diagnostics) {
+  const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
+  if (flow == nullptr) return fail(ErrorKind::Usage, "CLI001", "expected a flow of poses");
+  Result<PoseFlow> changed = Change(*flow, options, context, diagnostics);
+  if (!changed) return fail(std::move(changed.error()));
+  document.content = std::move(*changed);
+  return {};
 }
 
-/// Splits a text at the first such character; nothing if there is none.
-std::optional<std::pair<std::string, std::string>> split_at(const std::string& text,
-                                                            std::size_t at) {
-  if (at == std::string::npos) return std::nullopt;
-  return std::pair(text.substr(0, at), text.substr(at + 1));
+/// A form that a function of a flow gives.
+template <class Options, ChangeOfFlow<Options> Change>
+OperationForm flow_form(std::span<const Parameter> parameters = {}) {
+  return form<Options, change_flow_by<Options, Change>>(parameters);
 }
 
 /// Reads "A:B" or "A:B:SIGN".
@@ -41,6 +43,17 @@ std::optional<flow::MirrorPair> parse_pair(const std::string& text) {
   const auto sign = parts.size() == 3 ? words::integer<int>(parts[2]) : std::optional(-1);
   if (!slider || !partner || !sign || (*sign != 1 && *sign != -1)) return std::nullopt;
   return flow::MirrorPair{*slider, *partner, *sign};
+}
+
+/// Reads pairs, "A:B:SIGN,...".
+std::optional<std::vector<flow::MirrorPair>> parse_pairs(std::string_view text) {
+  std::vector<flow::MirrorPair> pairs;
+  for (const std::string& word : words::split(text, ',')) {
+    const auto pair = parse_pair(word);
+    if (!pair) return std::nullopt;
+    pairs.push_back(*pair);
+  }
+  return pairs.empty() ? std::nullopt : std::optional(pairs);
 }
 
 /// The pairs of the project that `--project` names, but of sliders in pairs that were given those.
@@ -71,16 +84,17 @@ Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
 }
 
 /// Reads a list of sliders, "0-5+12"; nothing if it is none.
-std::optional<std::vector<std::size_t>> parse_sliders(const std::string& text) {
+std::optional<std::vector<std::size_t>> parse_sliders(std::string_view text) {
   std::vector<std::size_t> sliders;
   for (const std::string& part : words::split(text, '+')) {
-    const auto ends = split_at(part, part.find('-'));
-    const auto first = words::integer<std::size_t>(ends ? ends->first : part);
-    const auto last = ends ? words::integer<std::size_t>(ends->second) : first;
+    const std::size_t dash = part.find('-');
+    const auto first = words::integer<std::size_t>(part.substr(0, dash));
+    const auto last =
+        dash == std::string::npos ? first : words::integer<std::size_t>(part.substr(dash + 1));
     if (!first || !last || *last < *first || *last >= kNumVariables) return std::nullopt;
     for (std::size_t s = *first; s <= *last; ++s) sliders.push_back(s);
   }
-  return sliders;
+  return sliders.empty() ? std::nullopt : std::optional(sliders);
 }
 
 /// The flow of another file.
@@ -92,89 +106,180 @@ Result<PoseFlow> other_flow(const std::string& path, const OperationContext& con
       make_error(ErrorKind::Usage, "CLI001", fmt::format("'{}' holds no flow of poses", path)));
 }
 
+struct FlowMirror {
+  std::vector<flow::MirrorPair> pairs;
+};
+
+Result<PoseFlow> mirror_flow(const PoseFlow& flow, const FlowMirror& mirror,
+                             const OperationContext& context, Diagnostics& diagnostics) {
+  if (context.project == nullptr && mirror.pairs.empty()) {
+    return fail(make_error(ErrorKind::Usage, "CLI001",
+                           "expected --project, which says what the pairs of sliders are, or "
+                           "mirror=A:B,..."));
+  }
+  if (context.project == nullptr) return flow::mirror(flow, mirror.pairs, diagnostics);
+  const auto all = project_pairs(flow, *context.project, mirror.pairs, diagnostics);
+  if (!all) return fail(all.error());
+  return flow::mirror(flow, *all, diagnostics);
+}
+
+constexpr std::array<Parameter, 1> kFlowMirror = {
+    parameter<&FlowMirror::pairs, parse_pairs>(
+        {.name = "pairs",
+         .value_name = "A:B[:SIGN],...",
+         .help = "Sliders that change places; else those of the project",
+         .separator = '='}),
+};
+
+Result<PoseFlow> reverse_flow(const PoseFlow& flow, const NoOptions&, const OperationContext&,
+                              Diagnostics&) {
+  return flow::reverse(flow);
+}
+
+struct FlowSpeed {
+  double factor = 1;
+};
+
+Result<PoseFlow> change_flow_speed(const PoseFlow& flow, const FlowSpeed& speed,
+                                   const OperationContext&, Diagnostics& diagnostics) {
+  return flow::speed(flow, speed.factor, diagnostics);
+}
+
+constexpr std::array<Parameter, 1> kFlowSpeed = {
+    parameter<&FlowSpeed::factor>({.name = "factor",
+                                   .type = OptionType::Number,
+                                   .value_name = "X",
+                                   .help = "How many times as fast",
+                                   .least = std::numeric_limits<double>::min(),
+                                   .is_required = true,
+                                   .separator = '='}),
+};
+
+struct Offset {
+  std::size_t slider = 0;
+  int value = 0;
+};
+
+Result<PoseFlow> offset_slider(const PoseFlow& flow, const Offset& offset, const OperationContext&,
+                               Diagnostics&) {
+  return flow::offset(flow, offset.slider, offset.value);
+}
+
+constexpr std::array<Parameter, 2> kOffset = {
+    parameter<&Offset::slider>({.name = "slider",
+                                .type = OptionType::Count,
+                                .value_name = "SLIDER",
+                                .help = "Whose words change",
+                                .is_required = true,
+                                .separator = '='}),
+    parameter<&Offset::value>({.name = "value",
+                               .type = OptionType::Count,
+                               .value_name = "VALUE",
+                               .help = "What is added to them",
+                               .is_required = true,
+                               .separator = ':'}),
+};
+
+struct Merge {
+  std::string file;
+  std::vector<std::size_t> sliders;
+};
+
+Result<PoseFlow> merge_flow(const PoseFlow& flow, const Merge& merge,
+                            const OperationContext& context, Diagnostics&) {
+  const auto other = other_flow(merge.file, context);
+  if (!other) return other;
+  return flow::merge(flow, *other, merge.sliders);
+}
+
+constexpr std::array<Parameter, 2> kMerge = {
+    parameter<&Merge::file>({.name = "file",
+                             .type = OptionType::File,
+                             .value_name = "FILE",
+                             .help = "The other flow",
+                             .is_required = true,
+                             .separator = '='}),
+    parameter<&Merge::sliders, parse_sliders>({.name = "sliders",
+                                               .value_name = "SLIDERS",
+                                               .help = "Those to take: 0-5+12",
+                                               .is_required = true,
+                                               .separator = ','}),
+};
+
+struct Insert {
+  std::size_t block = 0;
+  std::string file;
+};
+
+Result<PoseFlow> insert_flow(const PoseFlow& flow, const Insert& insert,
+                             const OperationContext& context, Diagnostics&) {
+  const auto other = other_flow(insert.file, context);
+  if (!other) return other;
+  return flow::insert(flow, insert.block, *other);
+}
+
+/// The parameter that is a block.
+template <auto Member>
+constexpr Parameter block_parameter(std::string_view help) {
+  return parameter<Member>({.name = "block",
+                            .type = OptionType::Count,
+                            .value_name = "BLOCK",
+                            .help = help,
+                            .is_required = true,
+                            .separator = '='});
+}
+
+constexpr std::array<Parameter, 2> kInsert = {
+    block_parameter<&Insert::block>("The block before"),
+    parameter<&Insert::file>({.name = "file",
+                              .type = OptionType::File,
+                              .value_name = "FILE",
+                              .help = "The other flow",
+                              .is_required = true,
+                              .separator = ','}),
+};
+
+struct Delete {
+  std::size_t block = 0;
+};
+
+Result<PoseFlow> delete_block(const PoseFlow& flow, const Delete& options, const OperationContext&,
+                              Diagnostics&) {
+  return flow::erase(flow, options.block);
+}
+
+constexpr std::array<Parameter, 1> kDelete = {
+    block_parameter<&Delete::block>("The block that goes"),
+};
+
 }  // namespace
 
-ApplyOperation parse_flow_mirror(const std::string* argument) {
-  std::vector<flow::MirrorPair> pairs;
-  if (argument != nullptr) {
-    for (const std::string& word : words::split(*argument, ',')) {
-      const auto pair = parse_pair(word);
-      if (!pair) return {};
-      pairs.push_back(*pair);
-    }
-  }
-  return on_flow([pairs](const PoseFlow& flow, const OperationContext& context,
-                         Diagnostics& diagnostics) -> Result<PoseFlow> {
-    if (context.project == nullptr && pairs.empty()) {
-      return fail(make_error(ErrorKind::Usage, "CLI001",
-                             "expected --project, which says what the pairs of sliders are, or "
-                             "mirror=A:B,..."));
-    }
-    if (context.project == nullptr) return flow::mirror(flow, pairs, diagnostics);
-    const auto all = project_pairs(flow, *context.project, pairs, diagnostics);
-    if (!all) return fail(all.error());
-    return flow::mirror(flow, *all, diagnostics);
-  });
+OperationForm reverse_of_flow() { return flow_form<NoOptions, reverse_flow>(); }
+OperationForm speed_of_flow() { return flow_form<FlowSpeed, change_flow_speed>(kFlowSpeed); }
+OperationForm mirror_of_flow() { return flow_form<FlowMirror, mirror_flow>(kFlowMirror); }
+
+OperationInfo offset() {
+  return {.name = "offset",
+          .help = "Adds to the words of a slider",
+          .flow_form = flow_form<Offset, offset_slider>(kOffset)};
 }
 
-ApplyOperation parse_flow_reverse(const std::string* argument) {
-  if (argument != nullptr) return {};
-  return on_flow([](const PoseFlow& flow, const OperationContext&, Diagnostics&) {
-    return flow::reverse(flow);
-  });
+OperationInfo merge() {
+  return {.name = "merge",
+          .help = "Sliders of another flow",
+          .flow_form = flow_form<Merge, merge_flow>(kMerge)};
 }
 
-ApplyOperation parse_flow_speed(const std::string* argument) {
-  const auto factor = argument != nullptr ? words::finite(*argument) : std::nullopt;
-  if (!factor || !(*factor > 0)) return {};
-  return on_flow([factor](const PoseFlow& flow, const OperationContext&, Diagnostics& diagnostics) {
-    return flow::speed(flow, *factor, diagnostics);
-  });
+OperationInfo insert() {
+  return {.name = "insert",
+          .help = "Poses of another flow after a block",
+          .flow_form = flow_form<Insert, insert_flow>(kInsert)};
 }
 
-ApplyOperation parse_flow_offset(const std::string* argument) {
-  const auto parts = argument != nullptr ? split_at(*argument, argument->find(':')) : std::nullopt;
-  const auto slider = parts ? words::integer<std::size_t>(parts->first) : std::nullopt;
-  const auto offset = parts ? words::integer<int>(parts->second) : std::nullopt;
-  if (!slider || !offset) return {};
-  return on_flow([slider, offset](const PoseFlow& flow, const OperationContext&, Diagnostics&) {
-    return flow::offset(flow, *slider, *offset);
-  });
-}
-
-ApplyOperation parse_flow_merge(const std::string* argument) {
-  // Names of files may hold commas, lists of sliders do not.
-  const auto parts = argument != nullptr ? split_at(*argument, argument->rfind(',')) : std::nullopt;
-  const auto sliders = parts ? parse_sliders(parts->second) : std::nullopt;
-  if (!sliders || parts->first.empty()) return {};
-  return on_flow([path = parts->first, sliders](const PoseFlow& flow,
-                                                const OperationContext& context,
-                                                Diagnostics&) -> Result<PoseFlow> {
-    const auto other = other_flow(path, context);
-    if (!other) return other;
-    return flow::merge(flow, *other, *sliders);
-  });
-}
-
-ApplyOperation parse_flow_insert(const std::string* argument) {
-  const auto parts = argument != nullptr ? split_at(*argument, argument->find(',')) : std::nullopt;
-  const auto block = parts ? words::integer<std::size_t>(parts->first) : std::nullopt;
-  if (!block || parts->second.empty()) return {};
-  return on_flow([block, path = parts->second](const PoseFlow& flow,
-                                               const OperationContext& context,
-                                               Diagnostics&) -> Result<PoseFlow> {
-    const auto other = other_flow(path, context);
-    if (!other) return other;
-    return flow::insert(flow, *block, *other);
-  });
-}
-
-ApplyOperation parse_flow_delete(const std::string* argument) {
-  const auto block = argument != nullptr ? words::integer<std::size_t>(*argument) : std::nullopt;
-  if (!block) return {};
-  return on_flow([block](const PoseFlow& flow, const OperationContext&, Diagnostics&) {
-    return flow::erase(flow, *block);
-  });
+OperationInfo erase() {
+  return {.name = "delete",
+          .help = "A flow without a block",
+          .flow_form = flow_form<Delete, delete_block>(kDelete)};
 }
 
 }  // namespace kinefile::operation

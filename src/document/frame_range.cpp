@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "document/operation_words.hpp"
+#include "text/option_words.hpp"
 #include "kinefile/operation.hpp"
 
 namespace kinefile {

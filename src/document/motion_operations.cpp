@@ -1,168 +1,191 @@
 // SPDX-License-Identifier: MIT
+// What the operations of the table do to motions, and to body motions by their components.
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 #include <string_view>
 
 #include "document/operation_tables.hpp"
-#include "document/operation_words.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/retime.hpp"
 #include "kinefile/robot.hpp"
 
 namespace kinefile::operation {
-
 namespace {
 
-std::optional<double> parse_above_zero(const std::string* text) {
-  const auto number = text != nullptr ? words::finite(*text) : std::nullopt;
-  return number && *number > 0 ? number : std::nullopt;
-}
+using std::string_view;
 
-/// An operation that makes a motion out of a motion.
-template <class Change>
-ApplyOperation on_motion(Change change) {
-  return [change](Document& document, const OperationContext& context, Diagnostics& diagnostics) {
-    return change_motion(document, [&](const Motion& motion) -> Result<Motion> {
-      return change(motion, context, diagnostics);
-    });
-  };
-}
+constexpr double kAboveZero = std::numeric_limits<double>::min();
+constexpr std::array<string_view, 3> kAxes = {"x", "y", "z"};
 
-/// Splits ",blend=F" from the end of an argument; nothing if F is no number.
-struct Blended {
-  std::string argument;
-  std::size_t num_frames = 0;
+/// A coordinate axis: 0 x, 1 y, 2 z.
+enum class Axis { X, Y, Z };
+
+struct Trim {
+  std::optional<std::size_t> begin, end;
 };
 
-std::optional<Blended> split_blend(const std::string* argument) {
-  constexpr std::string_view kBlend = ",blend=";
-  if (argument == nullptr) return std::nullopt;
-  const std::size_t at = argument->rfind(kBlend);
-  if (at == std::string::npos) return Blended{*argument, 0};
-  const auto num_frames =
-      words::integer<std::size_t>(std::string_view(*argument).substr(at + kBlend.size()));
-  if (!num_frames) return std::nullopt;
-  return Blended{argument->substr(0, at), *num_frames};
+Result<Motion> trim_frames(Motion motion, const Trim& range, const OperationContext&,
+                           Diagnostics&) {
+  return edit::trim(motion, range.begin.value_or(0), range.end.value_or(motion.clip.num_frames));
 }
 
-}  // namespace
+constexpr std::array<Parameter, 2> kTrim = {
+    parameter<&Trim::begin>({.name = "begin",
+                             .type = OptionType::Count,
+                             .value_name = "A",
+                             .help = "The first frame; else the motion's first",
+                             .is_required = true,
+                             .separator = '='}),
+    parameter<&Trim::end>({.name = "end",
+                           .type = OptionType::Count,
+                           .value_name = "B",
+                           .help = "The frame after the last; else all to the end",
+                           .is_required = true,
+                           .separator = ':'}),
+};
 
-ApplyOperation parse_trim(const std::string* argument) {
-  constexpr std::size_t kAnyFrames = std::numeric_limits<std::size_t>::max() - 1;
-  if (argument == nullptr || argument->empty()) return {};
-  const auto any = parse_range(*argument, kAnyFrames);
-  if (!any || any->step != 1) return {};
-  return on_motion(
-      [text = *argument, any](const Motion& motion, const OperationContext&, Diagnostics&) {
-        const auto range = parse_range(text, motion.clip.num_frames);
-        // What is out of range is left to the library to refuse, with the numbers that were given.
-        const bool is_open = any->end == kAnyFrames;
-        return range ? edit::trim(motion, range->begin, range->end)
-                     : edit::trim(motion, any->begin, is_open ? motion.clip.num_frames : any->end);
-      });
+Result<Motion> reverse_frames(Motion motion, const NoOptions&, const OperationContext&,
+                              Diagnostics&) {
+  return edit::reverse(std::move(motion));
 }
 
-ApplyOperation parse_reverse(const std::string* argument) {
-  if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::reverse(motion);
-  });
+struct Factor {
+  double factor = 1;
+};
+
+/// A parameter that is a factor above 0.
+constexpr Parameter factor_parameter(string_view help) {
+  return parameter<&Factor::factor>({.name = "factor",
+                                     .type = OptionType::Number,
+                                     .value_name = "X",
+                                     .help = help,
+                                     .least = kAboveZero,
+                                     .is_required = true,
+                                     .separator = '='});
 }
 
-ApplyOperation parse_speed(const std::string* argument) {
-  const auto speed = parse_above_zero(argument);
-  if (!speed) return {};
-  return on_motion([speed](const Motion& motion, const OperationContext& context,
-                           Diagnostics& diagnostics) -> Result<Motion> {
-    const auto map = retime::speed_map(motion.clip, *speed);
-    if (!map) return fail(map.error());
-    retime::RetimeOptions options;
-    options.lenient = context.lenient;
-    return retime::apply(motion, *map, options, diagnostics);
-  });
+constexpr std::array<Parameter, 1> kSpeed = {factor_parameter("How many times as fast")};
+constexpr std::array<Parameter, 1> kScale = {factor_parameter("What lengths are multiplied by")};
+
+Result<Motion> change_speed(Motion motion, const Factor& speed, const OperationContext& context,
+                            Diagnostics& diagnostics) {
+  const auto map = retime::speed_map(motion.clip, speed.factor);
+  if (!map) return fail(map.error());
+  retime::RetimeOptions options;
+  options.lenient = context.lenient;
+  return retime::apply(motion, *map, options, diagnostics);
 }
 
-namespace {
+struct Mirror {
+  std::optional<Axis> axis;
+};
 
-/// The number of an axis among some letters, or nothing.
-std::optional<std::size_t> parse_axis(const std::string& text, std::string_view letters) {
-  if (text.size() != 1 || letters.find(text[0]) == std::string_view::npos) return std::nullopt;
-  return static_cast<std::size_t>(text[0] - 'x');
+Result<Motion> mirror_motion(Motion motion, const Mirror& mirror, const OperationContext& context,
+                             Diagnostics& diagnostics) {
+  const std::size_t axis = mirror.axis ? static_cast<std::size_t>(*mirror.axis)
+                                       : edit::guess_mirror_axis(motion.skeleton);
+  return edit::mirror(motion, axis, context.lenient, diagnostics);
 }
 
-}  // namespace
+constexpr std::array<Parameter, 1> kMirror = {
+    parameter<&Mirror::axis>({.name = "axis",
+                              .type = OptionType::Choice,
+                              .value_name = "x|y|z",
+                              .help = "The normal of the mirror; else the rest pose tells",
+                              .choices = kAxes,
+                              .separator = '='}),
+};
 
-ApplyOperation parse_mirror(const std::string* argument) {
-  const auto axis = argument != nullptr ? parse_axis(*argument, "xyz") : std::nullopt;
-  if (argument != nullptr && !axis) return {};
-  return on_motion(
-      [axis](const Motion& motion, const OperationContext& context, Diagnostics& diagnostics) {
-        return edit::mirror(motion, axis ? *axis : edit::guess_mirror_axis(motion.skeleton),
-                            context.lenient, diagnostics);
-      });
+Result<Motion> scale_lengths(Motion motion, const Factor& scale, const OperationContext&,
+                             Diagnostics&) {
+  return edit::scale(std::move(motion), scale.factor);
 }
 
-ApplyOperation parse_scale(const std::string* argument) {
-  const auto factor = parse_above_zero(argument);
-  if (!factor) return {};
-  return on_motion([factor](const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::scale(motion, *factor);
-  });
+/// An axis that can point up.
+enum class UpAxis { Y, Z };
+
+struct Up {
+  UpAxis axis = UpAxis::Y;
+};
+
+Result<Motion> turn_up(Motion motion, const Up& up, const OperationContext&,
+                       Diagnostics& diagnostics) {
+  return edit::up(std::move(motion), up.axis == UpAxis::Y ? 1 : 2, diagnostics);
 }
 
-ApplyOperation parse_up(const std::string* argument) {
-  const auto axis = argument != nullptr ? parse_axis(*argument, "yz") : std::nullopt;
-  if (!axis) return {};
-  return on_motion([axis](const Motion& motion, const OperationContext&, Diagnostics& diagnostics) {
-    return edit::up(motion, *axis, diagnostics);
-  });
+constexpr std::array<string_view, 2> kUpAxes = {"y", "z"};
+constexpr std::array<Parameter, 1> kUp = {
+    parameter<&Up::axis>({.name = "axis",
+                          .type = OptionType::Choice,
+                          .value_name = "y|z",
+                          .help = "The axis that is to point up",
+                          .choices = kUpAxes,
+                          .is_required = true,
+                          .separator = '='}),
+};
+
+Result<Motion> stay_in_place(Motion motion, const NoOptions&, const OperationContext&,
+                             Diagnostics&) {
+  return edit::in_place(std::move(motion));
 }
 
-ApplyOperation parse_in_place(const std::string* argument) {
-  if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::in_place(motion);
-  });
+struct Loop {
+  std::size_t count = 1;
+  std::size_t blend = 0;
+};
+
+Result<Motion> repeat(Motion motion, const Loop& loop, const OperationContext&, Diagnostics&) {
+  return edit::loop(motion, loop.count, loop.blend);
 }
 
-ApplyOperation parse_loop(const std::string* argument) {
-  const auto blended = split_blend(argument);
-  const auto count = blended ? words::integer<std::size_t>(blended->argument) : std::nullopt;
-  if (!count) return {};
-  return on_motion([count, num_frames = blended->num_frames](
-                       const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::loop(motion, *count, num_frames);
-  });
-}
+constexpr OptionInfo kBlend = {.name = "blend",
+                               .type = OptionType::Count,
+                               .value_name = "F",
+                               .help = "Over how many frames one goes into the next",
+                               .default_word = "0"};
 
-namespace {
+constexpr std::array<Parameter, 2> kLoop = {
+    parameter<&Loop::count>({.name = "count",
+                             .type = OptionType::Count,
+                             .value_name = "N",
+                             .help = "How many times",
+                             .is_required = true,
+                             .separator = '='}),
+    parameter<&Loop::blend>(kBlend),
+};
 
-Result<Motion> append_file(const Motion& motion, const Blended& blended,
-                           const OperationContext& context) {
-  const auto other = open_other(blended.argument, context);
+struct Append {
+  std::string file;
+  std::size_t blend = 0;
+};
+
+Result<Motion> append_file(Motion motion, const Append& append, const OperationContext& context,
+                           Diagnostics&) {
+  const auto other = open_other(append.file, context);
   if (!other) return fail(other.error());
   const Motion* second = std::get_if<Motion>(&other->content);
-  if (second == nullptr) {
-    return fail(make_error(ErrorKind::Usage, "CLI001",
-                           fmt::format("'{}' holds {}", blended.argument,
-                                       has_skeleton(*other) ? "a skeleton alone" : "no motion")));
-  }
-  return edit::append(motion, *second, blended.num_frames);
+  if (second != nullptr) return edit::append(std::move(motion), *second, append.blend);
+  return fail(make_error(ErrorKind::Usage, "CLI001",
+                         fmt::format("'{}' holds {}", append.file,
+                                     has_skeleton(*other) ? "a skeleton alone" : "no motion")));
 }
 
-}  // namespace
+constexpr std::array<Parameter, 2> kAppend = {
+    parameter<&Append::file>({.name = "file",
+                              .type = OptionType::File,
+                              .value_name = "FILE",
+                              .help = "The motion that follows",
+                              .is_required = true,
+                              .separator = '='}),
+    parameter<&Append::blend>(kBlend),
+};
 
-ApplyOperation parse_append(const std::string* argument) {
-  const auto blended = split_blend(argument);
-  if (!blended || blended->argument.empty()) return {};
-  return on_motion([blended](const Motion& motion, const OperationContext& context, Diagnostics&) {
-    return append_file(motion, *blended, context);
-  });
-}
-
-namespace {
+struct Joints {
+  std::vector<std::string> names;
+};
 
 /// Leaves out what a format keeps of joints that are no more.
 void drop_extras(Document& document) {
@@ -174,21 +197,27 @@ void drop_extras(Document& document) {
   document.extras.joints = std::move(kept);
 }
 
-}  // namespace
-
-ApplyOperation parse_joints(const std::string* argument) {
-  if (argument == nullptr || argument->empty()) return {};
-  const auto names = words::split(*argument, ',');
-  return [names](Document& document, const OperationContext&,
-                 Diagnostics& diagnostics) -> Result<void> {
-    auto changed = change_motion(
-        document, [&](const Motion& motion) { return edit::joints(motion, names, diagnostics); });
-    if (changed) drop_extras(document);
-    return changed;
-  };
+Result<void> keep_joints(Document& document, const Joints& joints, const OperationContext&,
+                         Diagnostics& diagnostics) {
+  auto changed = change_motion(document, [&](const Motion& motion) {
+    return edit::joints(motion, joints.names, diagnostics);
+  });
+  if (changed) drop_extras(document);
+  return changed;
 }
 
-namespace {
+constexpr std::array<Parameter, 1> kJoints = {
+    parameter<&Joints::names>({.name = "names",
+                               .type = OptionType::Text,
+                               .value_name = "A,B,...",
+                               .help = "The joints that stay",
+                               .is_required = true,
+                               .separator = '='}),
+};
+
+struct Rename {
+  std::string names;  ///< OLD:NEW
+};
 
 /// Where OLD:NEW is to be parted: names may hold colons, so OLD is the longest that is a joint's.
 std::size_t find_colon(const Skeleton& skeleton, const std::string& text) {
@@ -201,41 +230,175 @@ std::size_t find_colon(const Skeleton& skeleton, const std::string& text) {
   return text.find(':');
 }
 
+Result<void> rename_joint(Document& document, const Rename& rename, const OperationContext&,
+                          Diagnostics&) {
+  const std::size_t colon = find_colon(skeleton_of(document), rename.names);
+  return edit::rename(document, rename.names.substr(0, colon), rename.names.substr(colon + 1));
+}
+
+std::optional<std::string> parse_names(string_view word) {
+  const bool has_two = word.find(':') != string_view::npos;
+  return has_two ? std::optional(std::string(word)) : std::nullopt;
+}
+
+constexpr std::array<Parameter, 1> kRename = {
+    parameter<&Rename::names, parse_names>({.name = "names",
+                                            .type = OptionType::Text,
+                                            .value_name = "OLD:NEW",
+                                            .help = "The joint's name and its new one",
+                                            .is_required = true,
+                                            .separator = '='}),
+};
+
+struct Smooth {
+  double cutoff = 0;
+};
+
+Result<Motion> smooth_motion(Motion motion, const Smooth& smooth, const OperationContext&,
+                             Diagnostics&) {
+  return edit::smooth(std::move(motion), smooth.cutoff);
+}
+
+constexpr std::array<Parameter, 1> kSmooth = {
+    parameter<&Smooth::cutoff>({.name = "cutoff",
+                                .type = OptionType::Number,
+                                .value_name = "HZ",
+                                .help = "The frequency of the filter",
+                                .least = kAboveZero,
+                                .is_required = true,
+                                .separator = '='}),
+};
+
+Result<Motion> unwrap_angles(Motion motion, const NoOptions&, const OperationContext&,
+                             Diagnostics&) {
+  return edit::unwrap(std::move(motion));
+}
+
+/// The frames that a ZMP can be relative to.
+enum class ZmpFrame { Global, Root };
+
+struct Zmp {
+  ZmpFrame frame = ZmpFrame::Global;
+};
+
+Result<void> change_zmp(Document& document, const Zmp& zmp, const OperationContext&,
+                        Diagnostics& diagnostics) {
+  const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
+  auto changed =
+      robot::zmp(body != nullptr ? *body : BodyMotion{}, zmp.frame == ZmpFrame::Root, diagnostics);
+  if (!changed) return fail(std::move(changed.error()));
+  document.content = std::move(*changed);
+  return {};
+}
+
+constexpr std::array<string_view, 2> kZmpFrames = {"global", "root"};
+constexpr std::array<Parameter, 1> kZmp = {
+    parameter<&Zmp::frame>({.name = "frame",
+                            .type = OptionType::Choice,
+                            .value_name = "global|root",
+                            .help = "The frame of the ZMP: the world's or the root link's",
+                            .choices = kZmpFrames,
+                            .is_required = true,
+                            .separator = '='}),
+};
+
 }  // namespace
 
-ApplyOperation parse_rename(const std::string* argument) {
-  if (argument == nullptr || argument->find(':') == std::string::npos) return {};
-  return [text = *argument](Document& document, const OperationContext&, Diagnostics&) {
-    const std::size_t colon = find_colon(skeleton_of(document), text);
-    return edit::rename(document, text.substr(0, colon), text.substr(colon + 1));
-  };
+OperationInfo trim() {
+  return {.name = "trim",
+          .help = "Some frames alone",
+          .works_on_components = true,
+          .form = motion_form<Trim, trim_frames>(kTrim)};
 }
 
-ApplyOperation parse_smooth(const std::string* argument) {
-  const auto cutoff = parse_above_zero(argument);
-  if (!cutoff) return {};
-  return on_motion([cutoff](const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::smooth(motion, *cutoff);
-  });
+OperationInfo reverse() {
+  return {.name = "reverse",
+          .help = "From the last frame to the first",
+          .works_on_components = true,
+          .form = motion_form<NoOptions, reverse_frames>(),
+          .flow_form = reverse_of_flow()};
 }
 
-ApplyOperation parse_unwrap(const std::string* argument) {
-  if (argument != nullptr) return {};
-  return on_motion([](const Motion& motion, const OperationContext&, Diagnostics&) {
-    return edit::unwrap(motion);
-  });
+OperationInfo speed() {
+  return {.name = "speed",
+          .help = "X times as fast",
+          .works_on_components = true,
+          .form = motion_form<Factor, change_speed>(kSpeed),
+          .flow_form = speed_of_flow()};
 }
 
-ApplyOperation parse_zmp(const std::string* argument) {
-  if (argument == nullptr || (*argument != "global" && *argument != "root")) return {};
-  return [is_relative = *argument == "root"](Document& document, const OperationContext&,
-                                             Diagnostics& diagnostics) -> Result<void> {
-    const BodyMotion* body = std::get_if<BodyMotion>(&document.content);
-    auto changed = robot::zmp(body != nullptr ? *body : BodyMotion{}, is_relative, diagnostics);
-    if (!changed) return fail(std::move(changed.error()));
-    document.content = std::move(*changed);
-    return {};
-  };
+OperationInfo mirror() {
+  return {.name = "mirror",
+          .help = "What the left side did, the right side does",
+          .form = motion_form<Mirror, mirror_motion>(kMirror),
+          .flow_form = mirror_of_flow()};
+}
+
+OperationInfo scale() {
+  return {.name = "scale",
+          .help = "All lengths times X",
+          .needs_motion = false,
+          .form = motion_form<Factor, scale_lengths>(kScale)};
+}
+
+OperationInfo up() {
+  return {.name = "up",
+          .help = "Another axis points up",
+          .needs_motion = false,
+          .form = motion_form<Up, turn_up>(kUp)};
+}
+
+OperationInfo in_place() {
+  return {.name = "in-place",
+          .help = "Roots stay over the place where they start",
+          .form = motion_form<NoOptions, stay_in_place>()};
+}
+
+OperationInfo loop() {
+  return {.name = "loop",
+          .help = "N times, over F frames from one into the next",
+          .works_on_components = true,
+          .form = motion_form<Loop, repeat>(kLoop)};
+}
+
+OperationInfo append() {
+  return {.name = "append",
+          .help = "Another motion of the same skeleton after this one",
+          .form = motion_form<Append, append_file>(kAppend)};
+}
+
+OperationInfo joints() {
+  return {.name = "joints",
+          .help = "Some joints alone, and those above them",
+          .needs_motion = false,
+          .form = form<Joints, keep_joints>(kJoints)};
+}
+
+OperationInfo rename() {
+  return {.name = "rename",
+          .help = "Another name for a joint",
+          .needs_motion = false,
+          .form = form<Rename, rename_joint>(kRename)};
+}
+
+OperationInfo smooth() {
+  return {.name = "smooth",
+          .help = "Nothing faster than HZ",
+          .works_on_components = true,
+          .form = motion_form<Smooth, smooth_motion>(kSmooth)};
+}
+
+OperationInfo unwrap() {
+  return {.name = "unwrap",
+          .help = "Angles that do not jump by whole turns",
+          .form = motion_form<NoOptions, unwrap_angles>()};
+}
+
+OperationInfo zmp() {
+  return {.name = "zmp",
+          .help = "The ZMP of a body motion in the frame of the world or the root",
+          .works_on_components = true,
+          .form = form<Zmp, change_zmp>(kZmp)};
 }
 
 }  // namespace kinefile::operation

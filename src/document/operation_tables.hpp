@@ -1,34 +1,91 @@
 // SPDX-License-Identifier: MIT
-// What operations do to motions, body motions and flows of servo poses. Each reads what follows "="
-// in the operation's word, or null, and is empty if that is not what the table says.
+// The operations that the table lists, and what their entries are made of.
 #pragma once
 
 #include "kinefile/operation.hpp"
+#include "text/option_words.hpp"
 
 namespace kinefile::operation {
 
-ApplyOperation parse_trim(const std::string* argument);
-ApplyOperation parse_reverse(const std::string* argument);
-ApplyOperation parse_speed(const std::string* argument);
-ApplyOperation parse_mirror(const std::string* argument);
-ApplyOperation parse_scale(const std::string* argument);
-ApplyOperation parse_up(const std::string* argument);
-ApplyOperation parse_in_place(const std::string* argument);
-ApplyOperation parse_loop(const std::string* argument);
-ApplyOperation parse_append(const std::string* argument);
-ApplyOperation parse_joints(const std::string* argument);
-ApplyOperation parse_rename(const std::string* argument);
-ApplyOperation parse_smooth(const std::string* argument);
-ApplyOperation parse_unwrap(const std::string* argument);
-ApplyOperation parse_zmp(const std::string* argument);
+OperationInfo trim();
+OperationInfo reverse();
+OperationInfo speed();
+OperationInfo mirror();
+OperationInfo scale();
+OperationInfo up();
+OperationInfo in_place();
+OperationInfo loop();
+OperationInfo append();
+OperationInfo joints();
+OperationInfo rename();
+OperationInfo smooth();
+OperationInfo unwrap();
+OperationInfo zmp();
+OperationInfo offset();
+OperationInfo merge();
+OperationInfo insert();
+OperationInfo erase();
 
-ApplyOperation parse_flow_mirror(const std::string* argument);
-ApplyOperation parse_flow_reverse(const std::string* argument);
-ApplyOperation parse_flow_speed(const std::string* argument);
-ApplyOperation parse_flow_offset(const std::string* argument);
-ApplyOperation parse_flow_merge(const std::string* argument);
-ApplyOperation parse_flow_insert(const std::string* argument);
-ApplyOperation parse_flow_delete(const std::string* argument);
+/// The forms of operations that motions and flows have in common, for flows.
+OperationForm reverse_of_flow();
+OperationForm speed_of_flow();
+OperationForm mirror_of_flow();
+
+/// The options of an operation without parameters.
+struct NoOptions {};
+
+/// A parameter that sets a member of a struct of options.
+template <auto Member>
+constexpr Parameter parameter(const OptionInfo& info) {
+  return {info, [](std::any& options, const OptionInfo& own, std::string_view word) {
+            auto* target = std::any_cast<words::OwnerOf<Member>>(&options);
+            return target != nullptr && words::read_into(target->*Member, own, word);
+          }};
+}
+
+/// A parameter of a text that has a form of its own.
+/// \tparam Read  std::optional<Value>(std::string_view)
+template <auto Member, auto Read>
+constexpr Parameter parameter(const OptionInfo& info) {
+  return {info, [](std::any& options, const OptionInfo&, std::string_view word) {
+            auto* target = std::any_cast<words::OwnerOf<Member>>(&options);
+            auto value = Read(word);
+            if (target == nullptr || !value) return false;
+            target->*Member = std::move(*value);
+            return true;
+          }};
+}
+
+/// A form that a function of a document gives.
+template <class Options,
+          Result<void> (*Change)(Document&, const Options&, const OperationContext&, Diagnostics&)>
+OperationForm form(std::span<const Parameter> parameters = {}) {
+  return {parameters, [] { return std::any(Options{}); },
+          [](Document& document, const std::any& options, const OperationContext& context,
+             Diagnostics& diagnostics) {
+            const Options* own = std::any_cast<Options>(&options);
+            return Change(document, own != nullptr ? *own : Options{}, context, diagnostics);
+          }};
+}
+
+/// What an operation does to a motion.
+template <class Options>
+using ChangeOfMotion = Result<Motion> (*)(Motion, const Options&, const OperationContext&,
+                                          Diagnostics&);
+
+template <class Options, ChangeOfMotion<Options> Change>
+Result<void> change_motion_by(Document& document, const Options& options,
+                              const OperationContext& context, Diagnostics& diagnostics) {
+  return change_motion(document, [&](Motion motion) {
+    return Change(std::move(motion), options, context, diagnostics);
+  });
+}
+
+/// A form that a function of a motion gives.
+template <class Options, ChangeOfMotion<Options> Change>
+OperationForm motion_form(std::span<const Parameter> parameters = {}) {
+  return form<Options, change_motion_by<Options, Change>>(parameters);
+}
 
 /// Reads another file that an operation names.
 /// \errors CLI001 (Usage) where the context cannot open any; the reader's

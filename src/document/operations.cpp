@@ -11,57 +11,90 @@
 namespace kinefile {
 namespace {
 
-constexpr OperationInfo kOperations[] = {
-    {"trim", "trim=A:B", "Some frames alone", true, true, operation::parse_trim},
-    {"reverse", "reverse", "From the last frame to the first", true, true, operation::parse_reverse,
-     "reverse", operation::parse_flow_reverse},
-    {"speed", "speed=X", "X times as fast", true, true, operation::parse_speed, "speed=X",
-     operation::parse_flow_speed},
-    {"mirror", "mirror[=x|y|z]", "What the left side did, the right side does", true, false,
-     operation::parse_mirror, "mirror[=A:B[:SIGN],...]", operation::parse_flow_mirror},
-    {"scale", "scale=X", "All lengths times X", false, false, operation::parse_scale},
-    {"up", "up=y|z", "Another axis points up", false, false, operation::parse_up},
-    {"in-place", "in-place", "Roots stay over the place where they start", true, false,
-     operation::parse_in_place},
-    {"loop", "loop=N[,blend=F]", "N times, over F frames from one into the next", true, true,
-     operation::parse_loop},
-    {"append", "append=FILE[,blend=F]", "Another motion of the same skeleton after this one", true,
-     false, operation::parse_append},
-    {"joints", "joints=A,B,...", "Some joints alone, and those above them", false, false,
-     operation::parse_joints},
-    {"rename", "rename=OLD:NEW", "Another name for a joint", false, false, operation::parse_rename},
-    {"smooth", "smooth=HZ", "Nothing faster than HZ", true, true, operation::parse_smooth},
-    {"unwrap", "unwrap", "Angles that do not jump by whole turns", true, false,
-     operation::parse_unwrap},
-    {"zmp", "zmp=global|root", "The ZMP of a body motion in the frame of the world or the root",
-     true, true, operation::parse_zmp},
-    {"offset", "", "Adds to the words of a slider", true, false, nullptr, "offset=SLIDER:VALUE",
-     operation::parse_flow_offset},
-    {"merge", "", "Sliders of another flow", true, false, nullptr, "merge=FILE,SLIDERS",
-     operation::parse_flow_merge},
-    {"insert", "", "Poses of another flow after a block", true, false, nullptr, "insert=BLOCK,FILE",
-     operation::parse_flow_insert},
-    {"delete", "", "A flow without a block", true, false, nullptr, "delete=BLOCK",
-     operation::parse_flow_delete},
-};
-
 tl::unexpected<Error> refuse_operation(std::string message) {
   return fail(ErrorKind::Usage, "CLI001", std::move(message));
 }
 
 /// How an operation is called, for one document or another.
-std::string usage_of(const OperationInfo& info) {
-  if (info.flow_usage.empty() || info.flow_usage == info.usage) return std::string(info.usage);
-  if (info.usage.empty()) return std::string(info.flow_usage);
-  return fmt::format("{} (of a flow: {})", info.usage, info.flow_usage);
+std::string usages_of(const OperationInfo& info) {
+  const std::string usage = usage_of(info, info.form);
+  const std::string of_flow = usage_of(info, info.flow_form);
+  if (of_flow.empty() || of_flow == usage) return usage;
+  return usage.empty() ? of_flow : fmt::format("{} (of a flow: {})", usage, of_flow);
+}
+
+/// Whether a parameter is told by its name.
+bool is_named(const Parameter& parameter) { return parameter.info.separator == 0; }
+
+/// Takes ",NAME=WORD" from the end of an argument.
+/// \returns the word; nothing if the argument does not name the parameter
+std::optional<std::string> take_named(const Parameter& parameter, std::string& argument) {
+  const std::string key = fmt::format(",{}=", parameter.info.name);
+  const std::size_t at = argument.rfind(key);
+  if (at == std::string::npos) return std::nullopt;
+  std::string word = argument.substr(at + key.size());
+  argument.erase(at);
+  return word;
+}
+
+/// The words of the parameters that are told by their place; fewer than there are parameters where
+/// a separator is missing.
+std::vector<std::string> words_by_place(std::span<const Parameter> parameters,
+                                        std::string_view argument) {
+  std::vector<std::string> words;
+  for (std::size_t p = 0; p + 1 < parameters.size() && !is_named(parameters[p + 1]); ++p) {
+    const char separator = parameters[p + 1].info.separator;
+    // Names of files may hold separators, what follows them does not.
+    const bool is_file = parameters[p].info.type == OptionType::File;
+    const std::size_t at = is_file ? argument.rfind(separator) : argument.find(separator);
+    if (at == std::string_view::npos) return words;
+    words.emplace_back(argument.substr(0, at));
+    argument.remove_prefix(at + 1);
+  }
+  words.emplace_back(argument);
+  return words;
+}
+
+/// Whether the first parameter may be left out, with all that follow it.
+bool can_be_bare(const OperationForm& form) {
+  return form.parameters.empty() || !form.parameters.front().info.is_required;
+}
+
+/// Reads the parameters of a form out of what follows "=", or out of nothing (null). Empty if they
+/// are not what the form takes.
+std::any parse_options(const OperationForm& form, const std::string* argument) {
+  if (form.apply == nullptr) return {};
+  std::any options = form.defaults();
+  if (argument == nullptr) return can_be_bare(form) ? options : std::any();
+  if (form.parameters.empty()) return {};
+  std::string text = *argument;
+  for (const Parameter& parameter : form.parameters) {
+    if (!is_named(parameter)) continue;
+    const auto word = take_named(parameter, text);
+    if (word && !parameter.set(options, parameter.info, *word)) return {};
+  }
+  const std::vector<std::string> words = words_by_place(form.parameters, text);
+  for (std::size_t p = 0; p < form.parameters.size(); ++p) {
+    const Parameter& parameter = form.parameters[p];
+    if (is_named(parameter)) continue;
+    if (p >= words.size() || !parameter.set(options, parameter.info, words[p])) return {};
+  }
+  return options;
+}
+
+std::vector<OperationInfo> all_operations() {
+  using namespace operation;
+  return {trim(),     reverse(), speed(),  mirror(), scale(),  up(),
+          in_place(), loop(),    append(), joints(), rename(), smooth(),
+          unwrap(),   zmp(),     offset(), merge(),  insert(), erase()};
 }
 
 /// What keeps an operation from a document; empty if nothing does.
 std::string hindrance(const Operation& operation, const Document& document) {
   if (std::holds_alternative<PoseFlow>(document.content)) {
-    return operation.apply_to_flow ? "" : "a motion, and the file holds a flow of poses";
+    return operation.flow_options.has_value() ? "" : "a motion, and the file holds a flow of poses";
   }
-  if (!operation.apply) return "a flow of poses, and the file holds none";
+  if (!operation.options.has_value()) return "a flow of poses, and the file holds none";
   if (!has_skeleton(document) && !operation.info->works_on_components) {
     return "a skeleton, and the file holds components";
   }
@@ -80,14 +113,32 @@ bool disagrees(const Component& component, const Component& main) {
 
 }  // namespace
 
-std::span<const OperationInfo> operations() { return kOperations; }
+std::span<const OperationInfo> operations() {
+  static const std::vector<OperationInfo> kOperations = all_operations();
+  return kOperations;
+}
+
+std::string usage_of(const OperationInfo& info, const OperationForm& form) {
+  if (form.apply == nullptr) return {};
+  std::string usage(info.name);
+  for (const Parameter& parameter : form.parameters) {
+    const OptionInfo& own = parameter.info;
+    const std::string part = is_named(parameter)
+                                 ? fmt::format(",{}={}", own.name, own.value_name)
+                                 : fmt::format("{}{}", own.separator, own.value_name);
+    usage += own.is_required ? part : fmt::format("[{}]", part);
+  }
+  return usage;
+}
 
 std::string list_of_operations() {
   std::string list, of_flows;
+  const auto add = [](std::string& text, const std::string& usage) {
+    if (!usage.empty()) text += fmt::format("{}{}", text.empty() ? "" : ", ", usage);
+  };
   for (const OperationInfo& info : operations()) {
-    if (!info.usage.empty()) list += fmt::format("{}{}", list.empty() ? "" : ", ", info.usage);
-    if (info.flow_usage.empty()) continue;
-    of_flows += fmt::format("{}{}", of_flows.empty() ? "" : ", ", info.flow_usage);
+    add(list, usage_of(info, info.form));
+    add(of_flows, usage_of(info, info.flow_form));
   }
   return list + "; of a flow: " + of_flows;
 }
@@ -99,11 +150,10 @@ Result<Operation> parse_operation(const std::string& word) {
   const std::string* const argument = equals == std::string::npos ? nullptr : &text;
   for (const OperationInfo& info : operations()) {
     if (info.name != name) continue;
-    Operation made{word, &info};
-    if (info.parse != nullptr) made.apply = info.parse(argument);
-    if (info.parse_for_flow != nullptr) made.apply_to_flow = info.parse_for_flow(argument);
-    if (made.apply || made.apply_to_flow) return made;
-    return refuse_operation(fmt::format("expected {}, found '{}'", usage_of(info), word));
+    Operation made{word, &info, parse_options(info.form, argument),
+                   parse_options(info.flow_form, argument)};
+    if (made.options.has_value() || made.flow_options.has_value()) return made;
+    return refuse_operation(fmt::format("expected {}, found '{}'", usages_of(info), word));
   }
   return refuse_operation(
       fmt::format("there is no operation '{}'; there are {}", name, list_of_operations()));
@@ -126,8 +176,9 @@ Result<void> apply(std::span<const Operation> operations, Document& document,
       return refuse_operation(fmt::format("'{}' needs {}", operation.word, needed));
     }
     const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
-    auto applied =
-        (is_flow ? operation.apply_to_flow : operation.apply)(document, context, diagnostics);
+    const OperationForm& form = is_flow ? operation.info->flow_form : operation.info->form;
+    auto applied = form.apply(document, is_flow ? operation.flow_options : operation.options,
+                              context, diagnostics);
     if (applied) continue;
     Error error = std::move(applied.error());
     if (error.place.source.empty()) error.message = operation.word + ": " + error.message;
@@ -137,7 +188,7 @@ Result<void> apply(std::span<const Operation> operations, Document& document,
 }
 
 Result<void> change_components(BodyMotion& body, bool must_agree,
-                               const std::function<Result<Motion>(const Motion&)>& change) {
+                               const std::function<Result<Motion>(Motion)>& change) {
   const Component* main = main_component(body);
   for (const Component& component : body.components) {
     if (!must_agree || main == nullptr || !disagrees(component, *main)) continue;
@@ -158,16 +209,17 @@ Result<void> change_components(BodyMotion& body, bool must_agree,
 }
 
 Result<void> change_motion(Document& document,
-                           const std::function<Result<Motion>(const Motion&)>& change) {
+                           const std::function<Result<Motion>(Motion)>& change) {
   if (BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
     return change_components(*body, true, change);
   }
   if (!has_skeleton(document)) return refuse_operation("expected a motion, found a flow of poses");
-  const bool has_motion = std::holds_alternative<Motion>(document.content);
-  Result<Motion> changed = change(still_or_moving(document));
+  Motion* const motion = std::get_if<Motion>(&document.content);
+  Result<Motion> changed =
+      change(motion != nullptr ? std::move(*motion) : still_or_moving(document));
   if (!changed) return fail(std::move(changed.error()));
-  if (has_motion) {
-    document.content = std::move(*changed);
+  if (motion != nullptr) {
+    *motion = std::move(*changed);
   } else {
     document.content = std::move(changed->skeleton);
   }

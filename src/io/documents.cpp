@@ -29,7 +29,7 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
                            Diagnostics& diagnostics) {
   ReadOptions skeleton_options;
   skeleton_options.lenient = options.lenient;
-  skeleton_options.positions = options.positions;
+  skeleton_options.of_formats = options.of_formats;
   skeleton_options.metres_per_unit = options.metres_per_unit;
   auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));

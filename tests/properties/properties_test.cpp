@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "kinefile/bvh.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/shape.hpp"
@@ -76,7 +77,8 @@ std::string random_bvh(Random& random) {
 /// A random motion; positions may be added or replace, and notes on that do not matter here.
 ReadText read_random_motion(Random& random) {
   ReadOptions options;
-  options.positions = below(random, 2) == 0 ? PositionMode::Replace : PositionMode::Add;
+  options.of_formats =
+      bvh::ReadOptions{below(random, 2) == 0 ? bvh::PositionMode::Replace : bvh::PositionMode::Add};
   return read_bvh(random_bvh(random), options);
 }
 
@@ -93,7 +95,8 @@ TEST(Properties, WhatIsWrittenReadsTheSame) {
     const std::string text = write_to_string(*first.document);
     ReadOptions options;
     const bool is_added = first.document->extras.file.at("positions") == "add";
-    options.positions = is_added ? PositionMode::Add : PositionMode::Replace;
+    options.of_formats =
+        bvh::ReadOptions{is_added ? bvh::PositionMode::Add : bvh::PositionMode::Replace};
     const ReadText second = read_bvh(text, options);
     EXPECT_TRUE(bits_agree(first.motion().clip.values, second.motion().clip.values));
     EXPECT_EQ(write_to_string(*second.document), text);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "kinefile/bvh.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/shape.hpp"
 #include "support/support.hpp"
@@ -141,7 +142,7 @@ TEST(WithChannels, RootRefusesToLosePositionsThatMove) {
 
 TEST(WithChannels, PositionsThatAreAddedStayAdded) {
   ReadOptions options;
-  options.positions = PositionMode::Add;
+  options.of_formats = bvh::ReadOptions{bvh::PositionMode::Add};
   const auto added = test::read_bvh(kMixed, options);
   const Motion all =
       changed(added.motion(), {.order = std::nullopt, .positions = shape::PositionChannels::All});

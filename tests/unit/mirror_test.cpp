@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "kinefile/bvh.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
@@ -241,7 +242,7 @@ TEST(Mirrored, WorksWhereJointsAreTurnedAtRest) {
 
 TEST(Mirrored, AddedPositionsAreMirroredWhereTheyAre) {
   ReadOptions options;
-  options.positions = PositionMode::Add;
+  options.of_formats = bvh::ReadOptions{bvh::PositionMode::Add};
   std::string text = test::bvh_with_rows({"1 2 3 4 5 6 7 8 9"});
   text.replace(text.find("OFFSET 0 0 0"), 12, "OFFSET 5 1 2");
   text.replace(text.find("OFFSET 1 2 3"), 12, "OFFSET 0 2 3");

@@ -73,14 +73,29 @@ TEST(Process, WhatFailsWritesNothingAndSaysWhere) {
 TEST(Operations, EveryOperationIsDescribed) {
   for (const OperationInfo& info : operations()) {
     EXPECT_FALSE(info.help.empty()) << info.name;
-    EXPECT_EQ(info.usage.empty(), info.parse == nullptr) << info.name;
-    EXPECT_EQ(info.flow_usage.empty(), info.parse_for_flow == nullptr) << info.name;
+    EXPECT_TRUE(info.form.apply != nullptr || info.flow_form.apply != nullptr) << info.name;
+    for (const OperationForm* form : {&info.form, &info.flow_form}) {
+      EXPECT_EQ(usage_of(info, *form).empty(), form->apply == nullptr) << info.name;
+      for (const Parameter& parameter : form->parameters) {
+        EXPECT_FALSE(parameter.info.help.empty()) << info.name << " " << parameter.info.name;
+      }
+    }
+  }
+}
+
+TEST(Operations, UsageIsMadeFromTheParameters) {
+  const std::string list = list_of_operations();
+  for (const char* usage :
+       {"trim=A:B", "mirror[=x|y|z]", "loop=N[,blend=F]", "append=FILE[,blend=F]", "joints=A,B,...",
+        "mirror[=A:B[:SIGN],...]", "merge=FILE,SLIDERS", "insert=BLOCK,FILE", "delete=BLOCK"}) {
+    EXPECT_NE(list.find(usage), std::string::npos) << usage << " in " << list;
   }
 }
 
 TEST(Operations, WordsThatAreNoneAreRefused) {
   for (const char* word : {"nosuch", "trim", "trim=a", "mirror=w", "scale=0", "scale=-1", "loop=x",
-                           "up=x", "rename=a", "smooth=", "joints="}) {
+                           "up=x", "rename=a", "smooth=", "joints=", "loop=2,blend=", "trim=5",
+                           "trim=-1:2", "reverse=", "merge=a.txt", "merge=a.txt,", "mirror="}) {
     const auto operation = parse_operation(word);
     ASSERT_FALSE(operation) << word;
     EXPECT_EQ(operation.error().kind, ErrorKind::Usage) << word;

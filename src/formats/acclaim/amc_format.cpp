@@ -9,6 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
@@ -18,10 +19,9 @@ namespace {
 
 constexpr Kinds kAmcWrites = {.motions = true};
 constexpr std::array<std::string_view, 1> kAmcExtensions = {".amc"};
-constexpr std::array<std::string_view, 4> kAmcReadOptions = {"encoding", "fps", "skeleton",
-                                                             "unit-in"};
-constexpr std::array<std::string_view, 5> kAmcWriteOptions = {"decimals", "order", "channels",
-                                                              "skeleton", "up"};
+constexpr std::array<ReadOption, 3> kAmcReadOptions = {options::kFps, options::kEncoding,
+                                                       options::kUnitIn};
+constexpr std::array<WriteOption, 1> kAmcWriteOptions = {options::kDecimals};
 constexpr double kUsualRate = 120;
 
 bool probe_amc(std::string_view head) {

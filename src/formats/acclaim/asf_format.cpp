@@ -9,6 +9,7 @@
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
 #include "text/scanner.hpp"
@@ -18,9 +19,8 @@ namespace {
 
 constexpr Kinds kAsfWrites = {.motions = true, .skeletons = true};
 constexpr std::array<std::string_view, 2> kAsfExtensions = {".asf", ".ast"};
-constexpr std::array<std::string_view, 2> kAsfReadOptions = {"encoding", "unit-in"};
-constexpr std::array<std::string_view, 4> kAsfWriteOptions = {"decimals", "order", "channels",
-                                                              "up"};
+constexpr std::array<ReadOption, 2> kAsfReadOptions = {options::kEncoding, options::kUnitIn};
+constexpr std::array<WriteOption, 1> kAsfWriteOptions = {options::kDecimals};
 
 bool probe_asf(std::string_view head) {
   constexpr std::array<std::string_view, 5> kSections = {":version", ":name", ":units", ":root",

@@ -7,6 +7,7 @@
 
 #include "formats/body/codes.hpp"
 #include "formats/body/files.hpp"
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/numbers.hpp"
 
@@ -14,7 +15,7 @@ namespace kinefile::body {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".body"};
-constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
+constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
 /// Whether this is what stands between a key and its value, in YAML's two styles.
 bool joins_key_and_value(char c) { return text::is_blank(c) || c == ':' || c == '"' || c == '\''; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/bvh/syntax.hpp"
+#include "kinefile/bvh.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/motion.hpp"

@@ -9,6 +9,7 @@
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
 #include "formats/bvh/print.hpp"
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
 
@@ -16,9 +17,22 @@ namespace kinefile::bvh {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".bvh"};
-constexpr std::array<std::string_view, 4> kReadOptions = {"encoding", "fps", "positions",
-                                                          "unit-in"};
-constexpr std::array<std::string_view, 4> kWriteOptions = {"decimals", "order", "channels", "up"};
+constexpr std::array<std::string_view, 3> kPositionModes = {"replace", "add", "auto"};
+constexpr std::array<ReadOption, 4> kReadOptions = {
+    options::kFps,
+    words::format_option<kinefile::ReadOptions, &bvh::ReadOptions::positions>({
+        .name = "positions",
+        .type = OptionType::Choice,
+        .value_name = "MODE",
+        .help = "What BVH position channels do to OFFSET: replace it, add to it, or auto to decide "
+                "from the first frames",
+        .choices = kPositionModes,
+        .default_word = "replace",
+    }),
+    options::kEncoding,
+    options::kUnitIn,
+};
+constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
 constexpr Kinds kWrites = {.motions = true, .skeletons = true};
 
@@ -55,7 +69,7 @@ PositionMode settle_positions(const File& file, const text::Source& source, Posi
 }
 
 /// Reads a document; `diagnostics` holds nothing of other files.
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
   if (!decoded) return fail(std::move(decoded.error()));
@@ -69,7 +83,8 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
 
   const bool has_motion = file.has_motion;
-  const PositionMode mode = settle_positions(file, source, options.positions, diagnostics);
+  const PositionMode mode = settle_positions(
+      file, source, options.of_formats.get<bvh::ReadOptions>().positions, diagnostics);
   Document document;
   document.format = "bvh";
   document.extras.file["encoding"] = decoded->description();
@@ -86,13 +101,13 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
+Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics) {
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics& diagnostics) {
+Result<void> write(const Document& document, const kinefile::WriteOptions& options,
+                   const Sink& sink, Diagnostics& diagnostics) {
   if (auto taken = expect_kind(document, kWrites, "a motion or a skeleton to write as BVH");
       !taken) {
     return taken;

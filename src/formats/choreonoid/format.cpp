@@ -10,6 +10,7 @@
 #include "formats/choreonoid/codes.hpp"
 #include "formats/choreonoid/reader.hpp"
 #include "formats/choreonoid/unbind.hpp"
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
 
@@ -17,11 +18,65 @@ namespace kinefile::choreonoid {
 namespace {
 
 constexpr std::array<std::string_view, 3> kExtensions = {".seq", ".yaml", ".yml"};
-constexpr std::array<std::string_view, 5> kReadOptions = {"encoding", "fps", "keep-times",
-                                                          "skeleton", "timed-rounding"};
-constexpr std::array<std::string_view, 10> kWriteOptions = {
-    "choreonoid-digits", "decimals",    "form",     "map",   "robot",
-    "se3-format",        "seq-version", "skeleton", "style", "up"};
+constexpr std::array<std::string_view, 3> kRoundings = {"ceil", "floor", "slerp"};
+constexpr std::array<std::string_view, 3> kSe3Formats = {"XYZQWQXQYQZ", "XYZQXQYQZQW", "XYZRPY"};
+constexpr std::array<std::string_view, 3> kStyles = {"as-is", "yaml", "json"};
+
+constexpr std::array<ReadOption, 4> kReadOptions = {
+    options::kFps,
+    options::kEncoding,
+    words::option<&kinefile::ReadOptions::timed_rounding>({
+        .name = "timed-rounding",
+        .type = OptionType::Choice,
+        .value_name = "HOW",
+        .help = "Where frames with times go (.seq): to the first frame at or after their time, the "
+                "last at or before it, or none: slerp interpolates",
+        .choices = kRoundings,
+        .default_word = "ceil",
+    }),
+    words::option<&kinefile::ReadOptions::keeps_times>({
+        .name = "keep-times",
+        .type = OptionType::Flag,
+        .help = "Leave frames with times at their times (.seq)",
+    }),
+};
+
+/// An option of writing .seq alone.
+template <auto Member>
+constexpr WriteOption seq_option(const OptionInfo& info) {
+  return words::format_option<kinefile::WriteOptions, Member>(info);
+}
+
+constexpr std::array<WriteOption, 5> kWriteOptions = {
+    seq_option<&choreonoid::WriteOptions::version>({
+        .name = "seq-version",
+        .type = OptionType::Count,
+        .value_name = "N",
+        .help = "Format version of a .seq output; else the file's own, or 2",
+        .least = 1,
+        .most = 4,
+    }),
+    seq_option<&choreonoid::WriteOptions::se3_format>({
+        .name = "se3-format",
+        .type = OptionType::Choice,
+        .value_name = "FORMAT",
+        .help = "How a .seq output writes poses; else as the file does, or XYZQWQXQYQZ",
+        .choices = kSe3Formats,
+    }),
+    seq_option<&choreonoid::WriteOptions::style>({
+        .name = "style",
+        .type = OptionType::Choice,
+        .value_name = "STYLE",
+        .help = "Layout of a .seq output: yaml, json (all in flow style), or as the file's",
+        .choices = kStyles,
+    }),
+    seq_option<&choreonoid::WriteOptions::choreonoid_digits>({
+        .name = "choreonoid-digits",
+        .type = OptionType::Flag,
+        .help = "Nine significant digits in a .seq output, as Choreonoid writes",
+    }),
+    options::kDecimals,
+};
 
 constexpr Kinds kWrites = {.body_motions = true};
 
@@ -114,7 +169,7 @@ void check_names(const Reader& reader, const SeqFile& file) {
   }
 }
 
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
   if (!decoded) return fail(std::move(decoded.error()));
@@ -144,15 +199,16 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
+Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics) {
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics& diagnostics) {
+Result<void> write(const Document& document, const kinefile::WriteOptions& options,
+                   const Sink& sink, Diagnostics& diagnostics) {
   if (auto valid = validate(document); !valid) return valid;
-  const auto file = unbind(document, options, diagnostics);
+  const auto file =
+      unbind(document, options.of_formats.get<choreonoid::WriteOptions>(), diagnostics);
   if (!file) return fail(file.error());
   text::Printer printer(sink, options.decimals);
   const bool is_own = document.format == "choreonoid";

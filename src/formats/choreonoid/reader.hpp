@@ -18,7 +18,7 @@ namespace kinefile::choreonoid {
 struct Reader {
   const text::Source& source;
   text::yaml::Tree& tree;
-  const ReadOptions& options;
+  const kinefile::ReadOptions& options;
   Diagnostics& diagnostics;
 
   void tell(Severity severity, const char* code, std::string message, const char* at) const {

@@ -174,9 +174,8 @@ Result<PrintedFile> unbind(const Document& document, const WriteOptions& options
   const auto& extras = document.extras.file;
   PrintedFile file;
   const std::string own_version = is_own ? kept(extras, extra::kVersion) : "2";
-  const bool is_same =
-      is_own && (options.seq_version == 0 || options.seq_version == major_of(own_version));
-  file.version = options.seq_version > 0 ? options.seq_version : major_of(own_version);
+  const bool is_same = is_own && (options.version == 0 || options.version == major_of(own_version));
+  file.version = options.version > 0 ? options.version : major_of(own_version);
   file.version_word = is_same ? own_version : fmt::format("{}", file.version);
   const std::string spelling = is_same ? kept(extras, extra::kSpelling) : "";
   file.is_snake_case = spelling.empty() ? file.version == 4 : spelling == "snake_case";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/choreonoid/print.hpp"
+#include "kinefile/choreonoid.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/format.hpp"
 

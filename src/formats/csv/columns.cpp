@@ -195,7 +195,7 @@ std::vector<Field> without_blanks(std::vector<Field> fields) {
 }
 
 /// Whether the skeleton is a robot's, with joints that have ids.
-bool has_joint_ids(const ReadOptions& options) {
+bool has_joint_ids(const kinefile::ReadOptions& options) {
   if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
   const Skeleton& skeleton = skeleton_of(*options.skeleton);
   return !skeleton.joints.empty() && moves_freely(skeleton.joints[0]) &&

@@ -15,7 +15,7 @@ namespace kinefile::csv {
 /// What a table that is read has besides its rows.
 struct TableReader {
   const text::Source& source;
-  const ReadOptions& options;
+  const kinefile::ReadOptions& options;
   Diagnostics& diagnostics;
 
   void error(const char* code, std::string message, const char* at) const {

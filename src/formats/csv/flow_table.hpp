@@ -5,6 +5,7 @@
 
 #include "formats/csv/columns.hpp"
 #include "formats/csv/fields.hpp"
+#include "kinefile/csv.hpp"
 #include "kinefile/format.hpp"
 
 // A flow of servo poses as a table: `time,next,break,sound,s0,...`, a row a pose.
@@ -14,12 +15,13 @@ namespace kinefile::csv {
 bool is_flow_header(const std::vector<Field>& header, const RobotProject* project);
 
 /// Reads the rows of a flow behind its header. Words are 0x2b01 or 0X0000; with
-/// `options.in_degrees` a number is degrees of a slider that `options.project` shows so. Empty
-/// after an error.
+/// `csv::ReadOptions::in_degrees` a number is degrees of a slider that `options.project` shows so.
+/// Empty after an error.
 std::optional<PoseFlow> read_flow(const TableReader& reader, Fields& fields,
                                   const std::vector<Field>& header);
 
 /// Writes a flow of poses alone. \errors CSV001 (Usage) if it has other blocks
-Result<void> write_flow(const PoseFlow& flow, const WriteOptions& options, const Sink& sink);
+Result<void> write_flow(const PoseFlow& flow, const kinefile::WriteOptions& options,
+                        const Sink& sink);
 
 }  // namespace kinefile::csv

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/common_options.hpp"
 #include "formats/csv/flow_table.hpp"
 #include "formats/csv/read.hpp"
 #include "formats/files.hpp"
@@ -13,19 +14,38 @@ namespace kinefile::csv {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".csv"};
-constexpr std::array<std::string_view, 6> kReadOptions = {"degrees", "encoding", "fps",
-                                                          "project", "relative", "skeleton"};
-constexpr std::array<std::string_view, 11> kWriteOptions = {
-    "channels", "decimals", "degrees", "form",     "map", "order",
-    "project",  "relative", "robot",   "skeleton", "up"};
+
+constexpr OptionInfo kDegrees = {
+    .name = "degrees",
+    .type = OptionType::Flag,
+    .help = "Words of a flow's table are degrees, by --project",
+};
+constexpr OptionInfo kRelative = {
+    .name = "relative",
+    .type = OptionType::Flag,
+    .help = "Degrees from the base pose on",
+};
+constexpr std::array<ReadOption, 5> kReadOptions = {
+    options::kProject,
+    words::format_option<kinefile::ReadOptions, &csv::ReadOptions::in_degrees>(kDegrees),
+    words::format_option<kinefile::ReadOptions, &csv::ReadOptions::is_relative>(kRelative),
+    options::kFps,
+    options::kEncoding,
+};
+constexpr std::array<WriteOption, 4> kWriteOptions = {
+    options::kProjectOfOutput,
+    words::format_option<kinefile::WriteOptions, &csv::WriteOptions::in_degrees>(kDegrees),
+    words::format_option<kinefile::WriteOptions, &csv::WriteOptions::is_relative>(kRelative),
+    options::kDecimals,
+};
 
 constexpr Kinds kWrites = {.motions = true, .flows = true};
 
 /// Tables that are read begin with the time.
 bool probe(std::string_view head) { return text::starts_with_ignoring_case(head, "time,"); }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
+Result<void> write(const Document& document, const kinefile::WriteOptions& options,
+                   const Sink& sink, Diagnostics&) {
   if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
     return write_flow(*flow, options, sink);
   }

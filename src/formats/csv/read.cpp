@@ -94,7 +94,7 @@ std::optional<BodyMotion> read_body(const TableReader& reader, Fields& fields,
   return motion;
 }
 
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
   if (!decoded) return fail(std::move(decoded.error()));
@@ -121,7 +121,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
 
 }  // namespace
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
+Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics) {
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }

@@ -55,8 +55,8 @@ struct Arrows {
 class FlowReader {
  public:
   FlowReader(const TableReader& reader, const std::vector<Field>& header)
-      : reader_(reader), header_(header) {
-    if (reader.options.project != nullptr && reader.options.is_relative) {
+      : reader_(reader), own_(reader.options.of_formats.get<csv::ReadOptions>()), header_(header) {
+    if (reader.options.project != nullptr && own_.is_relative) {
       base_ = base_values(*reader.options.project);
     }
   }
@@ -170,19 +170,18 @@ class FlowReader {
     if (token.empty()) return {};
     const text::Number number = text::parse_number(token);
     const bool is_number = number.fault == text::NumberFault::None;
-    if (is_number && reader_.options.in_degrees) {
+    if (is_number && own_.in_degrees) {
       return word_of_degrees(number.value, slider, field);
     }
     if (is_number && number.value == std::floor(number.value) && is_of_16_bits(number.value)) {
       return {static_cast<std::int16_t>(number.value), true};
     }
-    error(
-        "CSV013",
-        fmt::format("expected a word such as 0x2b01, 0X0000 or a whole number of 16 bits{}, found "
-                    "{}",
-                    reader_.options.in_degrees ? ", or degrees" : " (--degrees takes degrees)",
-                    text::quoted(token)),
-        field.at);
+    error("CSV013",
+          fmt::format(
+              "expected a word such as 0x2b01, 0X0000 or a whole number of 16 bits{}, found "
+              "{}",
+              own_.in_degrees ? ", or degrees" : " (--degrees takes degrees)", text::quoted(token)),
+          field.at);
     return {};
   }
 
@@ -234,6 +233,7 @@ class FlowReader {
   static constexpr int kOpenArrow = -2;
 
   const TableReader& reader_;
+  const csv::ReadOptions& own_;
   const std::vector<Field>& header_;
   std::vector<Column> columns_;
   std::vector<Arrows> arrows_;

@@ -31,7 +31,8 @@ struct WordPrinter {
 
 }  // namespace
 
-Result<void> write_flow(const PoseFlow& flow, const WriteOptions& options, const Sink& sink) {
+Result<void> write_flow(const PoseFlow& flow, const kinefile::WriteOptions& options,
+                        const Sink& sink) {
   const bool has_poses_alone =
       std::all_of(flow.blocks.begin(), flow.blocks.end(),
                   [](const Block& block) { return std::holds_alternative<PoseBlock>(block.body); });
@@ -40,8 +41,9 @@ Result<void> write_flow(const PoseFlow& flow, const WriteOptions& options, const
                            "expected a flow of poses alone to write as CSV, found other blocks"));
   }
   WordPrinter words;
-  if (options.in_degrees) words.project = options.project.get();
-  if (words.project != nullptr && options.is_relative) words.base = base_values(*words.project);
+  const auto& own = options.of_formats.get<csv::WriteOptions>();
+  if (own.in_degrees) words.project = options.project.get();
+  if (words.project != nullptr && own.is_relative) words.base = base_values(*words.project);
   text::Printer printer(sink, options.decimals);
   printer.print("time,next,break,sound");
   for (std::size_t s = 0; s < flow.num_sliders; ++s) printer.print(fmt::format(",s{}", s));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/common_options.hpp"
 #include "formats/hrpsys/codes.hpp"
 #include "formats/hrpsys/read.hpp"
 #include "text/printer.hpp"
@@ -11,9 +12,8 @@
 namespace kinefile::hrpsys {
 namespace {
 
-constexpr std::array<std::string_view, 3> kReadOptions = {"encoding", "fps", "skeleton"};
-constexpr std::array<std::string_view, 6> kWriteOptions = {"decimals", "form",     "map",
-                                                           "robot",    "skeleton", "up"};
+constexpr std::array<ReadOption, 2> kReadOptions = {options::kFps, options::kEncoding};
+constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
 /// The component that a file of the set is written from, or null.
 const Component* component_of(const BodyMotion& motion, std::string_view part) {

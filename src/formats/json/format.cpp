@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/common_options.hpp"
 #include "formats/json/flow.hpp"
 #include "formats/json/writer.hpp"
 
@@ -10,8 +11,7 @@ namespace kinefile::json {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".json"};
-constexpr std::array<std::string_view, 5> kWriteOptions = {"channels", "decimals", "flow-format",
-                                                           "order", "up"};
+constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
 std::string_view dof_kind_name(DofKind kind) {
   switch (kind) {

@@ -171,8 +171,9 @@ void check_on_robot(const Reader& reader, const FlowFile& file) {
       if (const PoseBlock* pose = pose_of(file, b)) check.check(*pose, flow.format, file.places[b]);
     }
   }
-  if (!reader.options.max_speed || !file.is_whole) return;
-  SpeedCheck check(reader, file, *reader.options.max_speed);
+  const auto& max_speed = reader.options.of_formats.get<robovie::ReadOptions>().max_speed;
+  if (!max_speed || !file.is_whole) return;
+  SpeedCheck check(reader, file, *max_speed);
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) {
     if (pose_of(file, b) != nullptr) check.check_from(b);
   }

@@ -3,7 +3,8 @@
 
 namespace kinefile::robovie {
 
-Result<text::DecodedText> decode_motion(std::string_view bytes, const ReadOptions& options,
+Result<text::DecodedText> decode_motion(std::string_view bytes,
+                                        const kinefile::ReadOptions& options,
                                         Diagnostics& diagnostics) {
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors || !options.lenient;

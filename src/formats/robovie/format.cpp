@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "formats/robovie/codes.hpp"
 #include "formats/robovie/decode.hpp"
@@ -18,8 +20,27 @@ namespace kinefile::robovie {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".txt"};
-constexpr std::array<std::string_view, 3> kReadOptions = {"encoding", "max-speed", "project"};
-constexpr std::array<std::string_view, 2> kWriteOptions = {"encoding", "flow-format"};
+constexpr std::array<ReadOption, 3> kReadOptions = {
+    options::kProject,
+    words::format_option<kinefile::ReadOptions, &robovie::ReadOptions::max_speed>({
+        .name = "max-speed",
+        .type = OptionType::Number,
+        .value_name = "UNITS",
+        .help = "Warn of sliders of a flow that go further than so many units in a tick",
+        .wanted = "units a tick above 0",
+        .least = std::numeric_limits<double>::min(),
+        .most = 1e9,
+    }),
+    options::kEncoding,
+};
+constexpr std::array<WriteOption, 1> kWriteOptions = {
+    words::format_option<kinefile::WriteOptions, &robovie::WriteOptions::encoding>({
+        .name = "encoding",
+        .type = OptionType::Choice,
+        .value_name = "ENCODING",
+        .help = "Encoding of a flow that is written; else that of the input, or utf-16le",
+        .choices = options::kEncodings,
+    })};
 
 constexpr Kinds kWrites = {.flows = true};
 
@@ -62,7 +83,7 @@ void keep_layout(Extras& extras, const text::DecodedText& decoded, const FlowFil
   if (!ends_with_line) extras.file[extra::kLastLineEnd] = "none";
 }
 
-Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
+Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   const auto decoded = decode_motion(bytes, options, diagnostics);
   if (!decoded) return fail(decoded.error());
@@ -80,13 +101,14 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   return document;
 }
 
-Result<Document> read(std::string_view bytes, const ReadOptions& options,
+Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics) {
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
 /// How a document is to be laid out: as its file was, but for what the options say.
-Layout layout_of(const Document& document, FlowFormat format, const WriteOptions& options) {
+Layout layout_of(const Document& document, FlowFormat format,
+                 const kinefile::WriteOptions& options) {
   Layout layout;
   layout.has_blank_lines = format == FlowFormat::V1R4;
   const auto& kept = document.extras.file;
@@ -99,12 +121,13 @@ Layout layout_of(const Document& document, FlowFormat format, const WriteOptions
     const auto blank_lines = kept.find(extra::kBlankLines);
     if (blank_lines != kept.end()) layout.has_blank_lines = blank_lines->second == "blocks";
   }
-  if (!options.encoding.empty() && options.encoding != layout.encoding) {
-    layout.encoding = options.encoding;
-    layout.has_bom = options.encoding.starts_with("utf-16");
+  const std::string& encoding = options.of_formats.get<robovie::WriteOptions>().encoding;
+  if (!encoding.empty() && encoding != layout.encoding) {
+    layout.encoding = encoding;
+    layout.has_bom = encoding.starts_with("utf-16");
   }
   // What is asked for like this is meant for the editor.
-  if (options.encoding == "utf-16le") layout.line_end = "\r\n";
+  if (encoding == "utf-16le") layout.line_end = "\r\n";
   return layout;
 }
 
@@ -149,8 +172,8 @@ Error cannot_write(std::string why) {
   return make_error(ErrorKind::DataLoss, code::kCannotWrite, std::move(why));
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
+Result<void> write(const Document& document, const kinefile::WriteOptions& options,
+                   const Sink& sink, Diagnostics&) {
   const PoseFlow* const flow = std::get_if<PoseFlow>(&document.content);
   if (flow == nullptr) {
     return fail(ErrorKind::Usage, code::kCannotWrite, "expected a flow of servo poses to write");

@@ -50,7 +50,7 @@ void read_part(const Reader& project, const std::string& name, std::string_view 
                Severity severity, void (*read)(const Reader&, RobotProject&), RobotProject& out) {
   const auto file = open_file(project, name, setting, severity);
   if (!file) return;
-  ReadOptions options = project.options;
+  kinefile::ReadOptions options = project.options;
   options.source_name = file->name;
   options.encoding.clear();
   const auto decoded = decode_motion(file->bytes, options, project.diagnostics);
@@ -78,7 +78,8 @@ ProjectFiles read_names(const Reader& reader, RobotProject& project) {
   return files;
 }
 
-Result<RobotProject> read_project_alone(std::string_view bytes, const ReadOptions& options,
+Result<RobotProject> read_project_alone(std::string_view bytes,
+                                        const kinefile::ReadOptions& options,
                                         Diagnostics& diagnostics) {
   const auto decoded = decode_motion(bytes, options, diagnostics);
   if (!decoded) return fail(decoded.error());
@@ -146,7 +147,7 @@ void for_each_line(const Reader& reader, const std::function<void(const ProjectL
 
 }  // namespace robovie
 
-Result<RobotProject> read_project(std::string_view bytes, const ReadOptions& options,
+Result<RobotProject> read_project(std::string_view bytes, const kinefile::ReadOptions& options,
                                   Diagnostics& diagnostics) {
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;

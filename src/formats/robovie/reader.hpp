@@ -10,6 +10,7 @@
 #include "formats/robovie/syntax.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/robovie.hpp"
 #include "text/source.hpp"
 
 namespace kinefile::robovie {
@@ -17,7 +18,7 @@ namespace kinefile::robovie {
 /// What all parts of the readers work with.
 struct Reader {
   const text::Source& source;
-  const ReadOptions& options;
+  const kinefile::ReadOptions& options;
   Diagnostics& diagnostics;
 
   void tell(Severity severity, const char* code, std::string message, const char* at) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "formats/urdf/codes.hpp"
 #include "formats/urdf/parse.hpp"
@@ -13,7 +14,7 @@ namespace kinefile::urdf {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".urdf"};
-constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
+constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
 /// Goes behind what starts with one word and ends with another; false where that is not there.
 bool skip(std::string_view& text, std::string_view start, std::string_view end) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "formats/wrl/codes.hpp"
 #include "formats/wrl/parse.hpp"
@@ -11,7 +12,7 @@ namespace kinefile::wrl {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".wrl"};
-constexpr std::array<std::string_view, 1> kReadOptions = {"encoding"};
+constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
 bool probe(std::string_view head) {
   return head.starts_with("#VRML") || head.starts_with("\xEF\xBB\xBF#VRML");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "kinefile/bvh.hpp"
 #include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 
@@ -42,19 +43,19 @@ TEST(BvhRead, KeepsEveryNumberInPlace) {
 
 TEST(BvhRead, PositionsReplaceOrAddOrDecide) {
   const std::string text = replaced(kGood, "OFFSET 0 0 0", "OFFSET 5 100 -7");
-  const auto hips = [&text](PositionMode mode) {
+  const auto hips = [&text](bvh::PositionMode mode) {
     ReadOptions options;
-    options.positions = mode;
+    options.of_formats = bvh::ReadOptions{mode};
     const ReadText read = read_bvh(text, options);
     const WorldPoses poses = forward_kinematics(read.motion().skeleton, read.motion().clip);
     return Vec3(poses.positions[0], poses.positions[1], poses.positions[2]);
   };
-  EXPECT_EQ(hips(PositionMode::Replace), Vec3(1, 2, 3));
-  EXPECT_EQ(hips(PositionMode::Add), Vec3(6, 102, -4));
-  EXPECT_EQ(hips(PositionMode::Auto), Vec3(6, 102, -4)) << "values near zero are added";
+  EXPECT_EQ(hips(bvh::PositionMode::Replace), Vec3(1, 2, 3));
+  EXPECT_EQ(hips(bvh::PositionMode::Add), Vec3(6, 102, -4));
+  EXPECT_EQ(hips(bvh::PositionMode::Auto), Vec3(6, 102, -4)) << "values near zero are added";
   EXPECT_EQ(codes(text), std::vector<std::string>{"BVH035"}) << "and worth a note";
   ReadOptions automatic;
-  automatic.positions = PositionMode::Auto;
+  automatic.of_formats = bvh::ReadOptions{bvh::PositionMode::Auto};
   EXPECT_EQ(codes(text, automatic), std::vector<std::string>{"BVH034"});
 }
 
@@ -62,7 +63,7 @@ TEST(BvhRead, AutoTakesAbsolutePositionsForSuch) {
   std::string text = replaced(kGood, "OFFSET 0 0 0", "OFFSET 0 90 0");
   text = replaced(replaced(text, "\n1 2 3", "\n900 92 -800"), "\n2 3 4", "\n900 91 -800");
   ReadOptions automatic;
-  automatic.positions = PositionMode::Auto;
+  automatic.of_formats = bvh::ReadOptions{bvh::PositionMode::Auto};
   const ReadText read = read_bvh(text, automatic);
   EXPECT_EQ(read.document->extras.file.at("positions"), "replace");
   EXPECT_EQ(codes(text), std::vector<std::string>{});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "kinefile/bvh.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -77,9 +78,9 @@ TEST(BvhWrite, KeepsLineEnds) {
 TEST(BvhWrite, KeepsTheSignOfZeroInOffsets) {
   std::string text = bvh_with_rows({"1 2 3 4 5 6 7 8 9"});
   text.replace(text.find("OFFSET 0 0 0"), 12, "OFFSET -0 5 -0");
-  for (const PositionMode mode : {PositionMode::Replace, PositionMode::Add}) {
+  for (const bvh::PositionMode mode : {bvh::PositionMode::Replace, bvh::PositionMode::Add}) {
     ReadOptions options;
-    options.positions = mode;
+    options.of_formats = bvh::ReadOptions{mode};
     const ReadText read = read_bvh(text, options);
     EXPECT_NE(write_to_string(*read.document).find("OFFSET -0 5 -0\n"), std::string::npos);
   }
@@ -106,7 +107,7 @@ TEST(BvhWrite, NotesPositionsThatAreAdded) {
   std::string text = bvh_with_rows({"1 2 3 4 5 6 7 8 9"});
   text.replace(text.find("OFFSET 0 0 0"), 12, "OFFSET 0 5 0");
   ReadOptions options;
-  options.positions = PositionMode::Add;
+  options.of_formats = bvh::ReadOptions{bvh::PositionMode::Add};
   const ReadText read = read_bvh(text, options);
   Diagnostics diagnostics;
   ASSERT_TRUE(find_format("bvh")->write(

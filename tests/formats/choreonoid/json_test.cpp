@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kinefile/choreonoid.hpp"
 #include "support/seq.hpp"
 
 namespace kinefile::test {
@@ -11,7 +12,9 @@ namespace {
 std::string as_json(const std::string& text) {
   const ReadText read = read_seq(text);
   EXPECT_TRUE(read.document) << text_of(read.diagnostics);
-  return write_to_string(*read.document, "choreonoid", {.style = YamlStyle::Json});
+  return write_to_string(
+      *read.document, "choreonoid",
+      {.of_formats = choreonoid::WriteOptions{.style = choreonoid::YamlStyle::Json}});
 }
 
 std::string json_again(const std::string& text) {
@@ -34,7 +37,9 @@ TEST(SeqJson, JsonIsJson) {
   EXPECT_EQ(text_of(read.diagnostics), "");
   expect_same_components(components_of(read), components_of(read_seq(blocks)));
   EXPECT_EQ(json_again(text), text);
-  EXPECT_EQ(write_to_string(*read.document, "choreonoid", {.style = YamlStyle::Block}),
+  EXPECT_EQ(write_to_string(
+                *read.document, "choreonoid",
+                {.of_formats = choreonoid::WriteOptions{.style = choreonoid::YamlStyle::Block}}),
             json_again(blocks));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "kinefile/choreonoid.hpp"
 #include "support/seq.hpp"
 
 namespace kinefile::test {
@@ -28,13 +29,15 @@ TEST(SeqRealFiles, WhatChoreonoidWritesAsVersion4IsWrittenByteForByte) {
   const ReadText read = read_seq(text);
   EXPECT_EQ(text_of(read.diagnostics), "");
   ASSERT_TRUE(read.document);
-  const WriteOptions options = {.seq_version = 4, .choreonoid_digits = true};
+  const WriteOptions options = {
+      .of_formats = choreonoid::WriteOptions{.version = 4, .choreonoid_digits = true}};
   EXPECT_EQ(write_to_string(*read.document, "choreonoid", options), text);
 }
 
 TEST(SeqRealFiles, EveryVersionOfItsWriterBecomesTheSameVersion4) {
   SKIP_WITHOUT_DATA();
-  const WriteOptions options = {.seq_version = 4, .choreonoid_digits = true};
+  const WriteOptions options = {
+      .of_formats = choreonoid::WriteOptions{.version = 4, .choreonoid_digits = true}};
   for (const char* version : {"2.5_v1", "2.5_v2", "2.5_v3", "1.7_v1", "1.7_v2", "1.7_v3"}) {
     const ReadText read = read_seq(bytes_of(folder() + "/writer/cnoid" + version + ".seq"));
     ASSERT_TRUE(read.document) << version;
@@ -53,8 +56,10 @@ TEST(SeqRealFiles, MotionsAreReadWrittenAndReadAgainBitForBitAsJsonToo) {
     EXPECT_FALSE(read.diagnostics.has_errors()) << path;
     const auto& components = components_of(read);
     ASSERT_FALSE(components.empty()) << path;
-    for (const YamlStyle style : {YamlStyle::Kept, YamlStyle::Json}) {
-      const std::string text = write_to_string(*read.document, "choreonoid", {.style = style});
+    for (const choreonoid::YamlStyle style :
+         {choreonoid::YamlStyle::Kept, choreonoid::YamlStyle::Json}) {
+      const std::string text = write_to_string(
+          *read.document, "choreonoid", {.of_formats = choreonoid::WriteOptions{.style = style}});
       const ReadText again = read_seq(text);
       expect_same_components(components_of(again), components, path);
       const auto kept = [](const Document& document, const char* key) {

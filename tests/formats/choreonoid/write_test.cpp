@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "kinefile/choreonoid.hpp"
 #include "support/seq.hpp"
 
 namespace kinefile::test {
@@ -17,14 +18,15 @@ struct Written {
   bool is_good = false;
 };
 
-Written write_seq(const Document& document, const WriteOptions& options = {}) {
+Written write_seq(const Document& document, const choreonoid::WriteOptions& options = {}) {
   Written written;
   const Sink sink = [&](std::string_view piece) {
     written.text += piece;
     return true;
   };
-  written.is_good =
-      find_format("choreonoid")->write(document, options, sink, written.diagnostics).has_value();
+  written.is_good = find_format("choreonoid")
+                        ->write(document, {.of_formats = options}, sink, written.diagnostics)
+                        .has_value();
   return written;
 }
 
@@ -35,7 +37,7 @@ Document document_of(const std::string& text, const ReadOptions& options = {}) {
 }
 
 /// Writes what was read, and expects it to read the same.
-std::string again(const std::string& text, const WriteOptions& options = {}) {
+std::string again(const std::string& text, const choreonoid::WriteOptions& options = {}) {
   const ReadText read = read_seq(text);
   if (!read.document) return "";
   std::string written = write_seq(*read.document, options).text;
@@ -168,7 +170,7 @@ TEST(SeqWrite, RollPitchYawGoesOnFromFrameToFrameWithoutAJump) {
 
 TEST(SeqWrite, EveryVersionHasItsWords) {
   const Document document = document_of(kAllKinds);
-  const auto text = [&](int version) { return write_seq(document, {.seq_version = version}).text; };
+  const auto text = [&](int version) { return write_seq(document, {.version = version}).text; };
   const std::string first = text(1);
   EXPECT_EQ(first.find("# Body motion data set format version 1.0"), 0u);
   for (const char* part :
@@ -196,7 +198,7 @@ TEST(SeqWrite, EveryVersionHasItsWords) {
     expect_same_components(components_of(read), std::get<BodyMotion>(document.content).components);
     // From any version to any other, and back.
     for (int other = 1; other <= 4; ++other) {
-      EXPECT_EQ(write_seq(*read.document, {.seq_version = other}).text, text(other));
+      EXPECT_EQ(write_seq(*read.document, {.version = other}).text, text(other));
     }
   }
 }
@@ -204,7 +206,7 @@ TEST(SeqWrite, EveryVersionHasItsWords) {
 TEST(SeqWrite, AZmpInTheWorldIsNoRelativeOneInAnyVersion) {
   const Document document = document_of(seq_of({zmp({"[ 1, 2, 3 ]"})}));
   for (int version = 1; version <= 4; ++version) {
-    const std::string text = write_seq(document, {.seq_version = version}).text;
+    const std::string text = write_seq(document, {.version = version}).text;
     EXPECT_FALSE(components_of(read_seq(text)).at(0).is_root_relative) << text;
     EXPECT_FALSE(has(text, "elative")) << text;
   }
@@ -246,7 +248,7 @@ TEST(SeqWrite, OtherContentAndOldTypesStay) {
   std::string old = seq_of({poses({"[ [ 1, 2, 3, 1, 0, 0, 0 ] ]"})});
   old.replace(old.find("MultiSE3Seq"), 11, "MultiSe3Seq");
   EXPECT_TRUE(has(again(old), "    type: MultiSe3Seq\n"));
-  EXPECT_TRUE(has(write_seq(document_of(old), {.seq_version = 4}).text, "type: MultiSE3Seq\n"));
+  EXPECT_TRUE(has(write_seq(document_of(old), {.version = 4}).text, "type: MultiSE3Seq\n"));
 }
 
 TEST(SeqWrite, NumbersKeepTheirBits) {
@@ -267,7 +269,8 @@ TEST(SeqWrite, NumbersKeepTheirBits) {
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     rows.push_back("[ " + numbers[i] + ", " + numbers[i + 1] + " ]");
   }
-  for (const YamlStyle style : {YamlStyle::Block, YamlStyle::Json}) {
+  for (const choreonoid::YamlStyle style :
+       {choreonoid::YamlStyle::Block, choreonoid::YamlStyle::Json}) {
     again(seq_of({joints(rows)}), {.style = style});
   }
 }

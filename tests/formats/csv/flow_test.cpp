@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinefile/csv.hpp"
 #include "kinefile/robot_project.hpp"
 #include "support/support.hpp"
 
@@ -88,12 +89,12 @@ TEST(FlowTable, DegreesAreWordsExactly) {
   for (const bool is_relative : {false, true}) {
     WriteOptions to;
     to.project = project();
-    to.in_degrees = true;
-    to.is_relative = is_relative;
+    to.of_formats.edit<csv::WriteOptions>().in_degrees = true;
+    to.of_formats.edit<csv::WriteOptions>().is_relative = is_relative;
     ReadOptions from;
     from.project = to.project;
-    from.in_degrees = true;
-    from.is_relative = is_relative;
+    from.of_formats.edit<csv::ReadOptions>().in_degrees = true;
+    from.of_formats.edit<csv::ReadOptions>().is_relative = is_relative;
     EXPECT_EQ(flow_read(read_flow_table(written(flow, to), from)), flow);
   }
 }
@@ -101,7 +102,7 @@ TEST(FlowTable, DegreesAreWordsExactly) {
 TEST(FlowTable, DegreesGoToTheNearestWord) {
   ReadOptions options;
   options.project = project();
-  options.in_degrees = true;
+  options.of_formats.edit<csv::ReadOptions>().in_degrees = true;
   const auto words = [&](const std::string& fields) {
     return std::get<PoseBlock>(
                flow_read(read_flow_table("time,s0,s1,s2\n1," + fields, options)).blocks.at(0).body)
@@ -109,7 +110,7 @@ TEST(FlowTable, DegreesGoToTheNearestWord) {
   };
   EXPECT_EQ(words("1.5,-0.017,0x0007")[0], (SliderWord{150, true}));
   EXPECT_EQ(words("1.5,-0.017,0x0007")[1], (SliderWord{-2, true}));
-  options.is_relative = true;
+  options.of_formats.edit<csv::ReadOptions>().is_relative = true;
   EXPECT_EQ(words("1.5,0,0X0007")[0], (SliderWord{200, true}));
   EXPECT_EQ(words("1.5,0,0X0007")[1], (SliderWord{-50, true}));
   EXPECT_EQ(text_of(read_flow_table("time,s0,s2\n1,400,5\n", options).diagnostics),
@@ -127,7 +128,7 @@ TEST(FlowTable, WholeNumbersAreWordsAndSlidersHaveTheirNames) {
   named.sliders[1].name = "knee";
   ReadOptions options;
   options.project = std::make_shared<const RobotProject>(named);
-  options.in_degrees = true;
+  options.of_formats.edit<csv::ReadOptions>().in_degrees = true;
   const auto names = read_flow_table("time,knee\n1,1.5\n", options);
   EXPECT_EQ(flow_read(names).num_sliders, 2u);
   EXPECT_EQ(std::get<PoseBlock>(flow_read(names).blocks[0].body).words[1], (SliderWord{150, true}));

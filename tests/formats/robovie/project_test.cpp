@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/robovie/robovie.hpp"
+#include "kinefile/robovie.hpp"
 
 namespace kinefile::test {
 namespace {
@@ -154,7 +155,7 @@ std::vector<std::string> warnings_of(const std::string& motion,
   if (has_project) {
     options.project = std::make_shared<const RobotProject>(*read_small(small_project()).project);
   }
-  options.max_speed = max_speed;
+  options.of_formats = robovie::ReadOptions{max_speed};
   std::vector<std::string> lines;
   const ReadText read = read_robovie(motion, options);
   for (const Diagnostic& item : read.diagnostics.items()) {

@@ -2,6 +2,7 @@
 // Encodings, layouts and what cannot be written.
 
 #include "formats/robovie/robovie.hpp"
+#include "kinefile/robovie.hpp"
 
 namespace kinefile::test {
 namespace {
@@ -45,7 +46,8 @@ TEST(RobovieWrite, FilesOfEveryEncodingComeBackByteForByte) {
   for (const std::string name : {"drum.txt", "all_blocks.txt"}) {
     const Document document = robovie_document(valid(name));
     for (const std::string encoding : {"utf-16le", "utf-8", "cp932", "utf-16be"}) {
-      const std::string bytes = write_to_string(document, "robovie", {.encoding = encoding});
+      const std::string bytes =
+          write_to_string(document, "robovie", {.of_formats = robovie::WriteOptions{encoding}});
       const Document again = robovie_document(bytes);
       EXPECT_EQ(std::get<PoseFlow>(again.content), std::get<PoseFlow>(document.content));
       EXPECT_EQ(again.extras.file.at("encoding").substr(0, encoding.size()), encoding);
@@ -131,7 +133,7 @@ TEST(RobovieWrite, WhatCannotBeWrittenIsRefused) {
 
   flow.blocks[1].name = "é";
   EXPECT_EQ(
-      write_fault(document, {.encoding = "cp932"}),
+      write_fault(document, {.of_formats = robovie::WriteOptions{"cp932"}}),
       "error[RBV052]: the texts of block 1 have the character 'é', which cp932 does not have");
   for (const std::string name : {"a]]-[b", "a\nb"}) {
     flow.blocks[1].name = name;
@@ -174,13 +176,15 @@ TEST(RobovieWrite, MissingWordsAreWrittenAsDisabled) {
 TEST(RobovieProbe, TheContentShowsTheFormatInEveryEncoding) {
   const Document document = robovie_document(valid("all_blocks.txt"));
   for (const std::string encoding : {"utf-16le", "utf-8", "cp932", "utf-16be"}) {
-    const std::string bytes = write_to_string(document, "robovie", {.encoding = encoding});
+    const std::string bytes =
+        write_to_string(document, "robovie", {.of_formats = robovie::WriteOptions{encoding}});
     const Format* format = detect_format(bytes, "no.extension");
     ASSERT_NE(format, nullptr) << encoding;
     EXPECT_EQ(format->name, "robovie");
   }
   const std::string without_mark =
-      write_to_string(document, "robovie", {.encoding = "utf-16le"}).substr(2);
+      write_to_string(document, "robovie", {.of_formats = robovie::WriteOptions{"utf-16le"}})
+          .substr(2);
   EXPECT_NE(detect_format(without_mark, "no.extension"), nullptr);
   EXPECT_EQ(detect_format("a text\n", "no.extension"), nullptr);
 }

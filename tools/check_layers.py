@@ -47,7 +47,7 @@ PUBLIC = {
     "anomalies": "kinematics", "limits": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
     "servo": "servo", "operation": "model", "process": "document", "convert": "document",
-    "check": "document", "place": "document", "fk": "document",
+    "check": "document", "place": "document", "info": "document", "fk": "document",
     "io": "io", "kinefile": "all",
 }
 

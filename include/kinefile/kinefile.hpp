@@ -16,6 +16,7 @@
 #include "kinefile/fk.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/info.hpp"
 #include "kinefile/io.hpp"
 #include "kinefile/joint_map.hpp"
 #include "kinefile/joint_rotation.hpp"

@@ -11,6 +11,7 @@
 #include "kinefile/compare.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/diagnostics.hpp"
+#include "kinefile/differences.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/fk.hpp"

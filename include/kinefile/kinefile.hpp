@@ -34,6 +34,7 @@
 #include "kinefile/retime.hpp"
 #include "kinefile/robot.hpp"
 #include "kinefile/robot_project.hpp"
+#include "kinefile/run.hpp"
 #include "kinefile/servo.hpp"
 #include "kinefile/servo_map.hpp"
 #include "kinefile/shape.hpp"

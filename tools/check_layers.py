@@ -48,7 +48,7 @@ PUBLIC = {
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
     "servo": "servo", "operation": "model", "process": "document", "convert": "document",
     "check": "document", "place": "document", "info": "document", "fk": "document",
-    "differences": "document", "run": "document", "io": "io", "kinefile": "all",
+    "differences": "document", "run": "document", "retime_documents": "document", "io": "io", "kinefile": "all",
 }
 
 # Third-party headers that public headers may show, and what only some layers may use.

@@ -32,6 +32,7 @@
 #include "kinefile/process.hpp"
 #include "kinefile/result.hpp"
 #include "kinefile/retime.hpp"
+#include "kinefile/retime_documents.hpp"
 #include "kinefile/robot.hpp"
 #include "kinefile/robot_project.hpp"
 #include "kinefile/run.hpp"

@@ -16,7 +16,7 @@ Comparison compared(const Document& a, const Document& b, double tolerance = 0) 
   return comparison.value_or(Comparison{});
 }
 
-Document document(decltype(Document::content) content) { return {std::move(content), "", {}}; }
+Document as_document(decltype(Document::content) content) { return {std::move(content), "", {}}; }
 
 const BodyComparison& bodies(const Comparison& comparison) {
   return std::get<BodyComparison>(comparison.found);
@@ -30,17 +30,17 @@ TEST(Compare, MotionsDifferBeyondTheTolerance) {
   const Motion walk = examples::make_walk({.num_frames = 4});
   Motion moved = walk;
   moved.clip.mutate()[2][0] += 0.5;
-  EXPECT_FALSE(compared(document(walk), document(walk)).is_different);
-  EXPECT_TRUE(compared(document(walk), document(moved), 0.4).is_different);
-  EXPECT_FALSE(compared(document(walk), document(moved), 0.6).is_different);
+  EXPECT_FALSE(compared(as_document(walk), as_document(walk)).is_different);
+  EXPECT_TRUE(compared(as_document(walk), as_document(moved), 0.4).is_different);
+  EXPECT_FALSE(compared(as_document(walk), as_document(moved), 0.6).is_different);
   moved.skeleton.joints.back().name = "other";
-  EXPECT_TRUE(compared(document(walk), document(moved), 0.6).is_different);
+  EXPECT_TRUE(compared(as_document(walk), as_document(moved), 0.6).is_different);
 }
 
 TEST(Compare, ASkeletonAloneIsAMotionOfOneFrame) {
   const Motion walk = examples::make_walk({.num_frames = 1});
-  EXPECT_FALSE(compared(document(walk.skeleton), document(walk.skeleton)).is_different);
-  const auto comparison = compared(document(walk.skeleton), document(walk));
+  EXPECT_FALSE(compared(as_document(walk.skeleton), as_document(walk.skeleton)).is_different);
+  const auto comparison = compared(as_document(walk.skeleton), as_document(walk));
   const auto& found = std::get<MotionComparison>(comparison.found);
   EXPECT_EQ(found.num_frames_first, 1u);
   EXPECT_EQ(found.num_frames_second, 1u);
@@ -48,20 +48,20 @@ TEST(Compare, ASkeletonAloneIsAMotionOfOneFrame) {
 
 TEST(Compare, ComponentsAreMatchedByKindAndContent) {
   const BodyMotion body = hinge_motion({0, 0.5});
-  EXPECT_FALSE(compared(document(body), document(body)).is_different);
+  EXPECT_FALSE(compared(as_document(body), as_document(body)).is_different);
   BodyMotion other = body;
   other.components[1].values.mutate()[1] += 0.25;
-  const Comparison numbers = compared(document(body), document(other), 0.125);
+  const Comparison numbers = compared(as_document(body), as_document(other), 0.125);
   EXPECT_TRUE(numbers.is_different);
   EXPECT_FALSE(bodies(numbers).components[0].is_different);
   EXPECT_EQ(bodies(numbers).components[1].distance.value, 0.25);
   EXPECT_EQ(bodies(numbers).components[1].distance.frame, 1u);
-  EXPECT_FALSE(compared(document(body), document(other), 0.5).is_different);
+  EXPECT_FALSE(compared(as_document(body), as_document(other), 0.5).is_different);
 
   other.components.pop_back();
   other.components.push_back(body.components[0]);
   other.components[1].content = "Other";
-  const Comparison names = compared(document(body), document(other));
+  const Comparison names = compared(as_document(body), as_document(other));
   EXPECT_TRUE(names.is_different);
   ASSERT_EQ(bodies(names).components.size(), 3u);
   EXPECT_FALSE(bodies(names).components[1].second);
@@ -71,13 +71,13 @@ TEST(Compare, ComponentsAreMatchedByKindAndContent) {
 
 TEST(Compare, ComponentsOfOtherSizesOrTimesDiffer) {
   const BodyMotion body = hinge_motion({0, 0.5});
-  const Comparison longer = compared(document(body), document(hinge_motion({0, 0.5, 1})));
+  const Comparison longer = compared(as_document(body), as_document(hinge_motion({0, 0.5, 1})));
   EXPECT_TRUE(longer.is_different);
   EXPECT_FALSE(bodies(longer).components[0].has_one_size);
   EXPECT_EQ(bodies(longer).components[0].second->num_frames, 3u);
   BodyMotion slower = body;
   slower.components[0].timeline = {FrameRate{5}, 0};
-  const Comparison times = compared(document(body), document(slower));
+  const Comparison times = compared(as_document(body), as_document(slower));
   EXPECT_TRUE(times.is_different);
   EXPECT_FALSE(bodies(times).components[0].has_same_times);
   EXPECT_TRUE(bodies(times).components[1].has_same_times);
@@ -85,14 +85,14 @@ TEST(Compare, ComponentsOfOtherSizesOrTimesDiffer) {
 
 TEST(Compare, FlowsDifferSettingBySetting) {
   const PoseFlow flow = v1r4_counter();
-  EXPECT_FALSE(compared(document(flow), document(flow)).is_different);
+  EXPECT_FALSE(compared(as_document(flow), as_document(flow)).is_different);
   PoseFlow other = flow;
   for (Block& block : other.blocks) {
     if (auto* pose = std::get_if<PoseBlock>(&block.body)) pose->ticks += 1;
   }
   other.blocks[0].name = "begin";
   other.blocks[0].x += 10;  // where the editor draws it
-  const Comparison comparison = compared(document(flow), document(other));
+  const Comparison comparison = compared(as_document(flow), as_document(other));
   EXPECT_TRUE(comparison.is_different);
   ASSERT_GE(flows(comparison).size(), 2u);
   EXPECT_EQ(flows(comparison)[0].what, "name");
@@ -106,7 +106,7 @@ TEST(Compare, ABlockThatOnlyOneFlowHasIsToldByItsKind) {
   const PoseFlow flow = v1r4_counter();
   PoseFlow shorter = flow;
   shorter.blocks.pop_back();
-  const Comparison comparison = compared(document(shorter), document(flow));
+  const Comparison comparison = compared(as_document(shorter), as_document(flow));
   EXPECT_EQ(flows(comparison)[0].what, "blocks");
   EXPECT_FALSE(flows(comparison)[0].block);
   EXPECT_EQ(flows(comparison).back().what, "kind");
@@ -114,7 +114,7 @@ TEST(Compare, ABlockThatOnlyOneFlowHasIsToldByItsKind) {
 }
 
 TEST(Compare, KindsMustBeAlike) {
-  const auto refused = compare(document(hinge_motion({0})), document(PoseFlow{}));
+  const auto refused = compare(as_document(hinge_motion({0})), as_document(PoseFlow{}));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
 }

@@ -12,14 +12,14 @@
 namespace kinefile::test {
 namespace {
 
-Result<Placed> placed(const Document& document, const DocumentSource& robot = {}) {
+Result<Placed> place_of(const Document& document, const DocumentSource& robot = {}) {
   Diagnostics diagnostics;
   return place(document, robot, false, diagnostics);
 }
 
 Document walk() { return {examples::make_walk({.num_frames = 10}), "bvh", {}}; }
 
-std::string csv_of(const FkTable& table) {
+std::string fk_csv_of(const FkTable& table) {
   std::string text;
   write_csv(table, [&text](std::string_view piece) {
     text += piece;
@@ -29,17 +29,17 @@ std::string csv_of(const FkTable& table) {
 }
 
 Error fk_fault(const FkOptions& options) {
-  auto table = fk(placed(walk()).value(), options);
+  auto table = fk(place_of(walk()).value(), options);
   EXPECT_FALSE(table);
   return table ? Error{} : table.error();
 }
 
 TEST(Place, AMotionStaysAndASkeletonHasNoFrames) {
-  const auto moving = placed(walk());
+  const auto moving = place_of(walk());
   ASSERT_TRUE(moving);
   EXPECT_EQ(moving->motion.clip.num_frames, 10u);
   EXPECT_FALSE(moving->is_still);
-  const auto still = placed({moving->motion.skeleton, "bvh", {}});
+  const auto still = place_of({moving->motion.skeleton, "bvh", {}});
   ASSERT_TRUE(still);
   EXPECT_TRUE(still->is_still);
   EXPECT_EQ(still->motion.clip.num_frames, 0u);
@@ -48,36 +48,36 @@ TEST(Place, AMotionStaysAndASkeletonHasNoFrames) {
 
 TEST(Place, ABodyMotionGoesOntoItsRobotOrStandsByItsLinks) {
   const Document body{hinge_motion({0, 1}), "", {}};
-  const auto links = placed(body);
+  const auto links = place_of(body);
   ASSERT_TRUE(links);
   EXPECT_EQ(links->motion.skeleton.joints.size(), 1u);
   EXPECT_FALSE(links->recorded);
-  const auto on_robot = placed(body, source_of({hinge_robot(), "", {}}));
+  const auto on_robot = place_of(body, source_of({hinge_robot(), "", {}}));
   ASSERT_TRUE(on_robot);
   EXPECT_EQ(on_robot->motion.skeleton.joints.size(), 2u);
   EXPECT_TRUE(on_robot->recorded);
 }
 
 TEST(Place, SaysWhatItCannotPlace) {
-  EXPECT_EQ(placed({PoseFlow{}, "", {}}).error().code, "CLI001");
+  EXPECT_EQ(place_of({PoseFlow{}, "", {}}).error().code, "CLI001");
   const Document body{hinge_motion({0}), "", {}};
-  EXPECT_EQ(placed(body, source_that_fails()).error().code, "IO001");
-  EXPECT_EQ(placed(body, source_of({PoseFlow{}, "", {}})).error().code, "DOC001");
+  EXPECT_EQ(place_of(body, source_that_fails()).error().code, "IO001");
+  EXPECT_EQ(place_of(body, source_of({PoseFlow{}, "", {}})).error().code, "DOC001");
 }
 
 TEST(Fk, SelectsFramesAndJoints) {
-  const auto table = fk(placed(walk()).value(), {.frames = "2:8:3", .joints = {"Head", "Hips"}});
+  const auto table = fk(place_of(walk()).value(), {.frames = "2:8:3", .joints = {"Head", "Hips"}});
   ASSERT_TRUE(table);
   EXPECT_EQ(table->frames.num_frames(), 2u);
   EXPECT_EQ(table->joints.size(), 2u);
-  const std::string csv = csv_of(*table);
+  const std::string csv = fk_csv_of(*table);
   EXPECT_TRUE(csv.starts_with("frame,time,joint,x,y,z\n2,")) << csv;
   EXPECT_NE(csv.find("\n5,"), std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
 TEST(Fk, PosesAreThoseOfKinematicsInTheWorldOrInTheParents) {
-  auto table = fk(placed(walk()).value(), {.tips = true, .rotations = true}).value();
+  auto table = fk(place_of(walk()).value(), {.tips = true, .rotations = true}).value();
   const Motion& motion = table.placed.motion;
   const PoseArrays poses = poses_of(table, table.frames);
   const WorldPoses world =
@@ -94,10 +94,10 @@ TEST(Fk, PosesAreThoseOfKinematicsInTheWorldOrInTheParents) {
 
 TEST(Fk, TheRestPoseIsOneFrame) {
   Document skeleton{examples::make_walk({.num_frames = 2}).skeleton, "bvh", {}};
-  const auto table = fk(placed(skeleton).value(), {.rest = true});
+  const auto table = fk(place_of(skeleton).value(), {.rest = true});
   ASSERT_TRUE(table);
   EXPECT_EQ(table->frames.num_frames(), 1u);
-  const auto refused = fk(placed(skeleton).value(), {.name = "a.asf"});
+  const auto refused = fk(place_of(skeleton).value(), {.name = "a.asf"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "'a.asf' holds a skeleton alone; --rest shows its rest pose");
 }
@@ -119,7 +119,7 @@ TEST(Fk, RecordedLinksStandInTheirPlace) {
   Component& links = body.components[0];
   links.num_parts = 2;
   links.values = {1, 2, 3, 1, 0, 0, 0, 7, 8, 9, 1, 0, 0, 0};
-  const auto table = fk(placed({body, "", {}}, source_of({hinge_robot(), "", {}})).value(), {});
+  const auto table = fk(place_of({body, "", {}}, source_of({hinge_robot(), "", {}})).value(), {});
   ASSERT_TRUE(table);
   const PoseArrays poses = poses_of(*table, table->frames);
   EXPECT_EQ(poses.positions[3], 7);

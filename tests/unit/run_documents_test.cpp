@@ -33,7 +33,7 @@ ServoMap map_to(const std::string& joint) {
   return map;
 }
 
-std::string csv_of(const RunTable& table) {
+std::string run_csv_of(const RunTable& table) {
   std::string text;
   write_run_csv(table, [&text](std::string_view piece) {
     text += piece;
@@ -130,7 +130,7 @@ TEST(RunDocuments, ATableShowsWordsOrDegreesAndEvents) {
   PoseFlow flow = word_n_of({pose_block(1, {100}, 1), pose_block(1, {200}, kNoBlock)});
   pose_of(flow.blocks[1]).sound = "a,b.wav";
   const TimedRun run = timed(flow);
-  EXPECT_EQ(csv_of({run}),
+  EXPECT_EQ(run_csv_of({run}),
             "tick,time,s0,sound\n0,0,0,\n1,0.016666666666666666,100,\"a,b.wav\"\n"
             "2,0.03333333333333333,200,\n");
   RobotProject project;
@@ -138,8 +138,8 @@ TEST(RunDocuments, ATableShowsWordsOrDegreesAndEvents) {
   project.sliders[0].name = "HEAD";
   project.sliders[0].units_per_degree = 50;
   project.base_poses = {{"stand", {100}, {}}};
-  EXPECT_TRUE(csv_of({run, &project}).starts_with("tick,time,HEAD,sound\n0,0,0,\n"));
-  EXPECT_TRUE(csv_of({run, &project, true}).starts_with("tick,time,HEAD,sound\n0,0,-2,\n"));
+  EXPECT_TRUE(run_csv_of({run, &project}).starts_with("tick,time,HEAD,sound\n0,0,0,\n"));
+  EXPECT_TRUE(run_csv_of({run, &project, true}).starts_with("tick,time,HEAD,sound\n0,0,-2,\n"));
 }
 
 TEST(RunDocuments, ATraceHasALineABlockAndSaysHowItEnded) {

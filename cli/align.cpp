@@ -27,8 +27,7 @@ int run(Align& align, const Globals& globals) {
   diagnostics.warnings_are_errors = reading.is_strict;
   retime::AlignOptions options;
   if (align.by == "points") options.by = retime::AlignOptions::By::Points;
-  auto map = retime::align_map(*std::get_if<Motion>(&document->content),
-                               *std::get_if<Motion>(&reference->content), options);
+  auto map = retime::align_map(*document, *reference, options);
   // Without a file to write the motion to, the map is what was asked for.
   const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
   align.retiming.prints_table |= !has_output;

@@ -9,6 +9,7 @@
 #include "json_output.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "skeleton_source.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -39,88 +40,33 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
              count(Severity::Warning, "warning"), count(Severity::Note, "note"));
 }
 
-/// A breach of a limit in words.
-std::string text_of(const LimitBreach& breach, const Skeleton& skeleton) {
-  const std::string& joint = skeleton.joints[breach.joint].name;
-  if (breach.kind == LimitBreach::Kind::TooFast) {
-    return fmt::format(
-        "joint '{}' moves at up to {:.6g} a second (to frame {}), its limit is "
-        "{:.6g}; too fast in {} frames, first in {}",
-        joint, breach.worst, breach.worst_frame, breach.limit, breach.num_frames,
-        breach.first_frame);
-  }
-  const bool is_below = breach.kind == LimitBreach::Kind::Below;
-  return fmt::format(
-      "joint '{}' goes {} to {:.6g} (frame {}), its limit is {:.6g}; beyond it in "
-      "{} frames, first in {}",
-      joint, is_below ? "down" : "up", breach.worst, breach.worst_frame, breach.limit,
-      breach.num_frames, breach.first_frame);
-}
-
-/// A note about a file as a whole.
-Diagnostic note_of(const std::string& path, std::string code, std::string message) {
+/// A file in a folder that nothing is known of.
+Diagnostic unknown_format(const std::string& path) {
   Diagnostic note;
   note.severity = Severity::Note;
-  note.code = std::move(code);
-  note.message = std::move(message);
-  note.place.source = source_name(path);
+  note.code = "FMT005";
+  note.message = "neither the content nor the name shows a format; passed over";
+  note.place.source = path;
   return note;
-}
-
-/// Notes joints that turn suddenly, which no format forbids.
-void note_sudden_turns(const std::string& path, const Document& document,
-                       Diagnostics& diagnostics) {
-  const Motion* motion = std::get_if<Motion>(&document.content);
-  if (motion == nullptr) return;
-  for (const SuddenTurn& turn : find_sudden_turns(*motion)) {
-    const bool is_spike = turn.return_frame != 0;
-    std::string message = fmt::format("joint '{}' turns by {:.0f} degrees from frame {} to {}",
-                                      motion->skeleton.joints[turn.joint].name, turn.degrees,
-                                      turn.frame - 1, turn.frame);
-    if (is_spike) message += fmt::format(" and is back in frame {}", turn.return_frame);
-    diagnostics.add(note_of(path, is_spike ? "MOT001" : "MOT002", std::move(message)));
-  }
-}
-
-/// Puts a body motion on the robot that `--skeleton` names: counts that do not fit, joints that
-/// leave their limits.
-void check_on_robot(const std::string& path, Document& document, const Reading& reading,
-                    Diagnostics& diagnostics) {
-  if (reading.skeleton.empty() || has_skeleton(document)) return;
-  Diagnostics own;
-  own.warnings_are_errors = reading.is_strict;
-  const auto motion = motion_in_world(document, reading, own);
-  if (!motion && !own.has_errors()) own.add(motion.error());
-  if (motion) {
-    for (const LimitBreach& breach : find_limit_breaches(*motion)) {
-      own.add(Severity::Warning, breach.kind == LimitBreach::Kind::TooFast ? "MOT004" : "MOT003",
-              text_of(breach, motion->skeleton));
-    }
-  }
-  for (Diagnostic item : own.items()) {
-    if (item.place.source.empty()) item.place.source = source_name(path);
-    // Warnings are raised already where they are to be errors.
-    diagnostics.add(std::move(item));
-  }
 }
 
 /// What is wrong with one file.
 Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_code) {
   Diagnostics diagnostics;
   if (!file.is_known) {
-    diagnostics.add(note_of(file.path, "FMT005",
-                            "neither the content nor the name shows a format; passed over"));
+    diagnostics.add(unknown_format(file.path));
     return diagnostics;
   }
-  auto document = load_quietly(file.path, reading, diagnostics);
-  if (!document) {
-    exit_code = worse(exit_code, exit_code_of(document.error()));
-    // A fault of the file itself, not of its content, is not among the diagnostics yet.
-    if (!diagnostics.has_errors()) diagnostics.add(document.error());
-    return diagnostics;
-  }
-  note_sudden_turns(file.path, *document, diagnostics);
-  check_on_robot(file.path, *document, reading, diagnostics);
+  const DocumentSource source =
+      [&](Diagnostics& noticed) -> Result<std::shared_ptr<const Document>> {
+    auto document = load_quietly(file.path, reading, noticed);
+    if (!document) return fail(std::move(document.error()));
+    return std::make_shared<const Document>(std::move(*document));
+  };
+  const auto checked =
+      check(source, {source_name(file.path), source_of_skeleton(reading), reading.is_lenient},
+            diagnostics);
+  if (!checked) exit_code = worse(exit_code, exit_code_of(checked.error()));
   if (diagnostics.has_errors()) exit_code = worse(exit_code, kInvalid);
   return diagnostics;
 }

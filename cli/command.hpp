@@ -70,11 +70,6 @@ Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
 std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,
                                   const Globals& globals, int& exit_code);
 
-/// The motion of a document in a world, taken out of it: a body motion, which stays, on the robot
-/// that `--skeleton` names, or its links alone. A skeleton alone is a motion without frames.
-Result<Motion> motion_in_world(Document& document, const Reading& reading,
-                               Diagnostics& diagnostics);
-
 /// Reports that the command was asked for something that makes no sense. Returns kUsage.
 int usage_error(const Globals& globals, const std::string& message);
 

@@ -5,8 +5,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "diff_components.hpp"
-#include "diff_flows.hpp"
 #include "json_output.hpp"
 #include "options.hpp"
 #include "report.hpp"
@@ -22,17 +20,30 @@ struct Diff {
   Reading reading;
 };
 
-bool is_different(const MotionComparison& comparison, double tolerance) {
-  return comparison.distance.value > tolerance || comparison.tip_distance.value > tolerance ||
-         !comparison.only_in_first.empty() || !comparison.only_in_second.empty() ||
-         comparison.num_frames_first != comparison.num_frames_second;
+/// A line about a largest difference; nothing if there was nothing to compare.
+void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
+  if (largest.joint.empty()) return;
+  print_data(fmt::format("{:<22}{}{}", what, largest.value, unit));
+  if (largest.value > 0) {
+    print_data(fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
+  }
+  print_data("\n");
+}
+
+/// The same as JSON: null if there was nothing to compare.
+Json json_of(const LargestDifference& largest) {
+  if (largest.joint.empty()) return nullptr;
+  return {{"value", std::isfinite(largest.value) ? Json(largest.value) : Json("inf")},
+          {"joint", largest.joint},
+          {"frame", largest.frame},
+          {"time", largest.time}};
 }
 
 void print_names(std::string_view what, const std::vector<std::string>& names) {
   for (const std::string& name : names) print_data(fmt::format("{:<22}'{}'\n", what, name));
 }
 
-void print_motions(const Diff& diff, const MotionComparison& comparison) {
+void print_text(const MotionComparison& comparison, bool is_different) {
   print_largest("largest distance", comparison.distance, "");
   print_largest("largest tip distance", comparison.tip_distance, "");
   print_largest("largest rotation", comparison.rotation, " degrees");
@@ -43,12 +54,11 @@ void print_motions(const Diff& diff, const MotionComparison& comparison) {
     print_data(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
                            comparison.num_frames_second));
   }
-  print_data(is_different(comparison, diff.tolerance) ? "the motions differ\n"
-                                                      : "the motions agree\n");
+  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
 }
 
-Json motions_json(const Diff& diff, const MotionComparison& comparison) {
-  return {{"is_different", is_different(comparison, diff.tolerance)},
+Json json_of(const MotionComparison& comparison, bool is_different) {
+  return {{"is_different", is_different},
           {"distance", json_of(comparison.distance)},
           {"tip_distance", json_of(comparison.tip_distance)},
           {"rotation_degrees", json_of(comparison.rotation)},
@@ -58,57 +68,93 @@ Json motions_json(const Diff& diff, const MotionComparison& comparison) {
           {"num_frames", {comparison.num_frames_first, comparison.num_frames_second}}};
 }
 
-/// The motion of a document; a skeleton alone is compared in its rest pose.
-Motion motion_of(Document&& document) {
-  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
-  Motion rest;
-  rest.skeleton = skeleton_of(document);
-  rest.clip = rest_clip(rest.skeleton);
-  return rest;
+void print_component(const ComponentDifference& difference) {
+  const auto& first = difference.first;
+  const auto& second = difference.second;
+  if (!first || !second) {
+    print_data(fmt::format("{:<22}'{}'\n", first ? "only in the first" : "only in the second",
+                           difference.content));
+  } else if (!difference.has_one_size) {
+    print_data(fmt::format("{:<22}{} frames of {} parts and {} of {}\n", difference.content,
+                           first->num_frames, first->num_parts, second->num_frames,
+                           second->num_parts));
+  } else {
+    print_largest(difference.content, difference.distance, "");
+    print_largest("  rotation", difference.rotation, " degrees");
+    if (!difference.has_same_times) print_data("  the times differ\n");
+  }
 }
 
-/// Prints what a comparison found. Returns the exit code.
-template <class Comparison>
-int tell(const Comparison& comparison, bool is_different, bool is_json) {
-  if (is_json) {
-    print_json(json_of(comparison));
-  } else {
-    print_text(comparison);
+void print_text(const BodyComparison& comparison, bool is_different) {
+  for (const ComponentDifference& difference : comparison.components) print_component(difference);
+  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
+}
+
+Json size_json(const std::optional<ComponentSize>& size) {
+  if (!size) return nullptr;
+  return {{"num_frames", size->num_frames},
+          {"num_parts", size->num_parts},
+          {"frame_rate", size->frame_rate > 0 ? Json(size->frame_rate) : Json()}};
+}
+
+Json json_of(const BodyComparison& comparison, bool is_different) {
+  Json components = Json::array();
+  for (const ComponentDifference& difference : comparison.components) {
+    components.push_back({{"content", difference.content},
+                          {"is_different", difference.is_different},
+                          {"distance", json_of(difference.distance)},
+                          {"rotation_degrees", json_of(difference.rotation)},
+                          {"first", size_json(difference.first)},
+                          {"second", size_json(difference.second)}});
   }
-  return is_different ? kInvalid : kDone;
+  return {{"is_different", is_different}, {"components", components}};
+}
+
+void print_text(const FlowComparison& comparison, bool is_different) {
+  const auto shown = [](const std::string& value) { return value.empty() ? "nothing" : value; };
+  for (const FlowDifference& difference : comparison.differences) {
+    const std::string where =
+        difference.block ? fmt::format("block {}", *difference.block) : std::string("flow");
+    print_data(fmt::format("{:<12}{:<10}{} and {}\n", where, difference.what,
+                           shown(difference.first), shown(difference.second)));
+  }
+  print_data(is_different ? "the flows differ\n" : "the flows agree\n");
+}
+
+Json json_of(const FlowComparison& comparison, bool is_different) {
+  Json list = Json::array();
+  for (const FlowDifference& difference : comparison.differences) {
+    list.push_back({{"block", difference.block ? Json(*difference.block) : Json()},
+                    {"what", difference.what},
+                    {"first", difference.first},
+                    {"second", difference.second}});
+  }
+  return {{"is_different", is_different}, {"differences", list}};
 }
 
 int run(const Diff& diff, const Globals& globals) {
   int exit_code = kDone;
-  auto first = load(diff.first, diff.reading, globals, exit_code);
-  auto second = load(diff.second, diff.reading, globals, exit_code);
+  const auto first = load(diff.first, diff.reading, globals, exit_code);
+  const auto second = load(diff.second, diff.reading, globals, exit_code);
   if (!first || !second) return exit_code;
   exit_code = finish_reading(diff.reading, globals, exit_code);
   if (exit_code != kDone) return exit_code;
-  const BodyMotion* a = std::get_if<BodyMotion>(&first->content);
-  const BodyMotion* b = std::get_if<BodyMotion>(&second->content);
-  if (a != nullptr && b != nullptr) {
-    const BodyComparison comparison = compare_components(*a, *b, diff.tolerance);
-    return tell(comparison, comparison.is_different, diff.is_json);
+  const auto comparison = compare(*first, *second, {diff.tolerance});
+  if (!comparison) {
+    print_error(comparison.error(), globals);
+    return exit_code_of(comparison.error());
   }
-  const PoseFlow* flow_a = std::get_if<PoseFlow>(&first->content);
-  const PoseFlow* flow_b = std::get_if<PoseFlow>(&second->content);
-  if (flow_a != nullptr && flow_b != nullptr) {
-    const auto differences = compare_flows(*flow_a, *flow_b);
-    return tell(differences, !differences.empty(), diff.is_json);
-  }
-  if (!has_skeleton(*first) || !has_skeleton(*second)) {
-    return usage_error(
-        globals, "diff compares two motions, two body motions or two flows; convert one first");
-  }
-  const MotionComparison comparison =
-      compare_motions(motion_of(std::move(*first)), motion_of(std::move(*second)));
-  if (diff.is_json) {
-    print_json(motions_json(diff, comparison));
-  } else {
-    print_motions(diff, comparison);
-  }
-  return is_different(comparison, diff.tolerance) ? kInvalid : kDone;
+  const bool is_different = comparison->is_different;
+  std::visit(
+      [&](const auto& found) {
+        if (diff.is_json) {
+          print_json(json_of(found, is_different));
+        } else {
+          print_text(found, is_different);
+        }
+      },
+      comparison->found);
+  return is_different ? kInvalid : kDone;
 }
 
 std::string check_tolerance(const std::string& text) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "skeleton_source.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -28,67 +28,21 @@ struct Fk {
   Reading reading;
 };
 
-/// The joints of a comma-separated list, in skeleton order; all joints for an empty list. A name
-/// that stands for no joint is returned in `unknown`.
-std::vector<std::size_t> select_joints(const Skeleton& skeleton, const std::string& list,
-                                       std::optional<std::string>& unknown) {
-  std::vector<bool> is_selected(skeleton.joints.size(), list.empty());
-  const auto names = list.empty() ? std::vector<std::string>{} : CLI::detail::split(list, ',');
-  for (const std::string& name : names) {
-    bool is_known = false;
-    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-      if (skeleton.joints[j].name != name) continue;
-      is_selected[j] = true;
-      is_known = true;
-    }
-    if (!is_known && !unknown) unknown = name;
-  }
-  std::vector<std::size_t> selected;
-  for (std::size_t j = 0; j < is_selected.size(); ++j) {
-    if (is_selected[j]) selected.push_back(j);
-  }
-  return selected;
-}
-
-/// What `fk` places: a motion, and of a body motion the links that were recorded.
-struct Placed {
-  const Skeleton& skeleton;
-  const Clip& clip;
-  const BodyMotion* recorded = nullptr;
-};
-
-PoseArrays place(const Fk& fk, const Placed& placed, const FrameRange& range) {
-  KinematicsOptions options;
-  options.first_frame = range.begin;
-  options.frame_step = range.step;
-  options.num_frames = range.num_frames();
+FkOptions options_of(const Fk& fk) {
+  FkOptions options;
+  options.rest = fk.is_rest;
+  options.frames = fk.frames;
+  if (!fk.joints.empty()) options.joints = CLI::detail::split(fk.joints, ',');
+  options.tips = fk.has_tips;
   options.rotations = fk.has_rotations;
   options.directions = fk.has_directions;
-  options.tips = fk.has_tips;
-  if (fk.is_local) return local_poses(placed.skeleton, placed.clip, options);
-  PoseArrays poses = forward_kinematics(placed.skeleton, placed.clip, options);
-  if (placed.recorded != nullptr)
-    robot::put_recorded_links(*placed.recorded, placed.skeleton, poses);
-  return poses;
+  options.local = fk.is_local;
+  options.metres = fk.unit == "m";
+  options.name = fk.file;
+  return options;
 }
 
-/// Writes the table a block of frames at a time, so that a long clip needs little memory.
-bool write_csv(const Fk& fk, const PoseTable& table, const Placed& placed, const FrameRange& range,
-               const Sink& sink) {
-  const std::size_t num_frames = range.num_frames();
-  const std::size_t block = frames_per_block(*table.skeleton);
-  bool is_good = write_pose_csv_header(table, sink);
-  for (std::size_t done = 0; is_good && done < num_frames; done += block) {
-    FrameRange part = range;
-    part.begin = range.begin + done * range.step;
-    part.end = part.begin + (std::min(block, num_frames - done) - 1) * range.step + 1;
-    is_good = write_pose_csv(table, place(fk, placed, part), sink);
-  }
-  return is_good;
-}
-
-int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, const Placed& placed,
-                const FrameRange& range, bool is_json) {
+int write_table(const Fk& fk, const Globals& globals, const FkTable& table, bool is_json) {
   auto file = OutputFile::create(fk.out, fk.may_replace);
   if (!file) {
     print_error(file.error(), globals);
@@ -96,9 +50,9 @@ int write_table(const Fk& fk, const Globals& globals, const PoseTable& table, co
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (is_json) {
-    write_pose_json(table, place(fk, placed, range), sink);
+    write_json(table, sink);
   } else {
-    write_csv(fk, table, placed, range, sink);
+    write_csv(table, sink);
   }
   const auto committed = file->commit();
   if (committed) return kDone;
@@ -124,16 +78,14 @@ int report(Error error, const Diagnostics& diagnostics, const std::string& file,
 }
 
 /// Tells how far kinematics and the recorded poses of links differ, a row a link.
-int compare(const Fk& fk, const BodyMotion* body, const Globals& globals) {
-  Diagnostics diagnostics;
-  diagnostics.warnings_are_errors = fk.reading.is_strict;
-  const auto model = load_skeleton(fk.reading, diagnostics);
-  if (body == nullptr || !model || !*model) {
-    if (!model) return report(model.error(), diagnostics, fk.file, globals);
+int compare(const Fk& fk, const Document& document, const Globals& globals) {
+  if (fk.reading.skeleton.empty() || !std::holds_alternative<BodyMotion>(document.content)) {
     return usage_error(globals, "--compare needs a body motion and the model of --skeleton");
   }
-  const auto deviations = robot::compare_recorded_links(*body, skeleton_of(**model),
-                                                        fk.reading.is_lenient, diagnostics);
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = fk.reading.is_strict;
+  const auto deviations =
+      compare_links(document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (!deviations) return report(deviations.error(), diagnostics, fk.file, globals);
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
@@ -154,48 +106,21 @@ int run(const Fk& fk, const Globals& globals) {
                                             fk.out));
   }
   int exit_code = kDone;
-  auto document = load(fk.file, fk.reading, globals, exit_code);
+  const auto document = load(fk.file, fk.reading, globals, exit_code);
   if (!document) return exit_code;
+  if (fk.is_comparing) return compare(fk, *document, globals);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = fk.reading.is_strict;
-  const BodyMotion* body = std::get_if<BodyMotion>(&document->content);
-  if (fk.is_comparing) return compare(fk, body, globals);
-  const auto motion = motion_in_world(*document, fk.reading, diagnostics);
+  auto placed =
+      place(*document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
-  if (!motion) return report(motion.error(), diagnostics, fk.file, globals);
+  if (!placed) return report(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
-  const Skeleton& skeleton = motion->skeleton;
-  if (std::holds_alternative<Skeleton>(document->content) && !fk.is_rest) {
-    return usage_error(globals, fmt::format("'{}' holds a skeleton alone; --rest shows its rest "
-                                            "pose",
-                                            fk.file));
-  }
-  const Clip rest = rest_clip(skeleton);
-  const Clip& clip = fk.is_rest ? rest : motion->clip;
-  const auto range = parse_range(fk.frames, clip.num_frames);
-  if (!range) {
-    return usage_error(globals, fmt::format("expected --frames A:B or A:B:STEP within 0:{}, found "
-                                            "'{}'",
-                                            clip.num_frames, fk.frames));
-  }
-  std::optional<std::string> unknown;
-  PoseTable table{&skeleton,        &clip.timeline,    select_joints(skeleton, fk.joints, unknown),
-                  fk.has_rotations, fk.has_directions, fk.has_tips};
-  if (unknown) {
-    return usage_error(globals, fmt::format("there is no joint '{}' in '{}'", *unknown, fk.file));
-  }
-  if (fk.unit == "m") {
-    table.length_scale = skeleton.metres_per_unit;
-    if (table.length_scale == 0) {
-      return usage_error(globals,
-                         "the file does not say its unit of length, so --unit m needs "
-                         "--unit-in m|cm|mm|inch|FACTOR");
-    }
-  }
-  const bool has_recorded = body != nullptr && !fk.is_rest && !fk.reading.skeleton.empty();
-  const Placed placed{skeleton, clip, has_recorded ? body : nullptr};
-  return write_table(fk, globals, table, placed, *range, *is_json);
+  const auto table = kinefile::fk(std::move(*placed), options_of(fk));
+  if (table) return write_table(fk, globals, *table, *is_json);
+  print_error(table.error(), globals);
+  return exit_code_of(table.error());
 }
 
 }  // namespace

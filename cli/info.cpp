@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
 
 #include "command.hpp"
@@ -14,7 +13,7 @@
 namespace kinefile::cli {
 namespace {
 
-struct Info {
+struct Options {
   std::vector<std::string> files;
   bool is_tree = false;
   bool is_json = false;
@@ -53,33 +52,14 @@ std::string tree_of(const Skeleton& skeleton) {
   return tree;
 }
 
-/// The orders in which joints turn and how many have each: "ZXY 20, Z 2".
-std::string rotation_orders(const Skeleton& skeleton) {
-  std::map<std::string, std::size_t> counts;
-  for (const Joint& joint : skeleton.joints) {
-    std::string order;
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind != DofKind::Rotation) continue;
-      Eigen::Index axis = 0;
-      const bool is_coordinate_axis = dof.axis.cwiseAbs().maxCoeff(&axis) == 1;
-      order += is_coordinate_axis ? "XYZ"[axis] : '?';
-    }
-    if (!order.empty()) ++counts[order];
-  }
+/// The orders in which joints turn and how many have each: "ZXY on 20 joints, Z on 2 joints".
+std::string order_text(const std::vector<RotationOrderInfo>& orders) {
   std::string text;
-  for (const auto& [order, count] : counts) {
-    text += fmt::format("{}{} on {} {}", text.empty() ? "" : ", ", order, count,
-                        count == 1 ? "joint" : "joints");
+  for (const RotationOrderInfo& order : orders) {
+    text += fmt::format("{}{} on {} {}", text.empty() ? "" : ", ", order.order, order.num_joints,
+                        order.num_joints == 1 ? "joint" : "joints");
   }
   return text.empty() ? "none" : text;
-}
-
-std::size_t joints_with(const Skeleton& skeleton, DofKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [kind](const Joint& joint) {
-        return std::any_of(joint.dofs.begin(), joint.dofs.end(),
-                           [kind](const DegreeOfFreedom& dof) { return dof.kind == kind; });
-      }));
 }
 
 std::string extra(const Document& document, const std::string& key) {
@@ -105,24 +85,22 @@ std::string box_text(const Box& box) {
                      box.max.x(), box.min.y(), box.max.y(), box.min.z(), box.max.z());
 }
 
-/// What the components of a body motion are called in the file format, and their sizes.
-std::string component_text(const Component& component) {
-  if (component.kind == ComponentKind::Other) {
+/// What a component of a body motion is, in words.
+/// \param component  the same in the document
+std::string component_text(const ComponentInfo& info, const Component& component) {
+  if (info.kind == ComponentKind::Other) {
     const auto type = component.extras.find("type");
     return fmt::format("{}, kept as it stands",
                        type == component.extras.end() ? "of unknown type" : type->second);
   }
   constexpr std::string_view kParts[] = {"value", "pose", "vector"};
-  const std::string_view part = kParts[static_cast<std::size_t>(component.kind)];
-  const double rate = frame_rate(component.timeline);
-  const bool has_times = has_own_times(component.timeline);
-  return fmt::format("{}: {} frames of {} {}{}{}{}{}", component.content, component.num_frames,
-                     component.num_parts, part, component.num_parts == 1 ? "" : "s",
-                     has_times ? ", at times of their own" : "",
-                     rate > 0 ? fmt::format(", {:.6g} fps, duration {} s", rate,
-                                            duration(component.timeline, component.num_frames))
-                              : "",
-                     component.is_root_relative ? ", relative to the root link" : "");
+  const std::string_view part = kParts[static_cast<std::size_t>(info.kind)];
+  const double rate = info.time.frame_rate;
+  return fmt::format(
+      "{}: {} frames of {} {}{}{}{}{}", info.content, info.time.num_frames, info.num_parts, part,
+      info.num_parts == 1 ? "" : "s", info.time.has_own_times ? ", at times of their own" : "",
+      rate > 0 ? fmt::format(", {:.6g} fps, duration {} s", rate, info.time.duration) : "",
+      info.is_root_relative ? ", relative to the root link" : "");
 }
 
 std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
@@ -135,8 +113,10 @@ std::string text_of(const std::string& path, const BodyMotion& motion, const Doc
                           extra(document, "style"), dialect);
   }
   text += fmt::format("  {:<12}{}\n", "dialect", dialect);
-  for (const Component& component : motion.components) {
-    text += fmt::format("  {:<12}{}\n", "component", component_text(component));
+  const BodyInfo told = *info(document).body;
+  for (std::size_t c = 0; c < told.components.size(); ++c) {
+    text += fmt::format("  {:<12}{}\n", "component",
+                        component_text(told.components[c], motion.components[c]));
   }
   return text;
 }
@@ -145,41 +125,37 @@ std::string text_of(const std::string& path, const Document& document) {
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
     return text_of(path, *motion, document);
   }
-  const Skeleton& skeleton = skeleton_of(document);
-  const Motion* motion = std::get_if<Motion>(&document.content);
+  const Info told = info(document);
+  const SkeletonInfo& skeleton = *told.skeleton;
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
   line("dialect", dialect_of(document));
-  const std::size_t num_roots = static_cast<std::size_t>(
-      std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
-                    [](const Joint& joint) { return joint.parent == kNoParent; }));
-  line("joints", fmt::format("{} ({} {}, {} {})", skeleton.joints.size(), num_roots,
-                             num_roots == 1 ? "root" : "roots", num_tips(skeleton),
-                             num_tips(skeleton) == 1 ? "tip" : "tips"));
-  line("dofs", fmt::format("{} in {} columns", num_dofs(skeleton), skeleton.coordinates.size()));
-  line("rotations", rotation_orders(skeleton));
-  line("positions", fmt::format("on {} of {} joints", joints_with(skeleton, DofKind::Translation),
-                                skeleton.joints.size()));
-  if (motion != nullptr) {
-    const Timeline& timeline = motion->clip.timeline;
-    const auto first = timeline.first_frame_number;
+  line("joints", fmt::format("{} ({} {}, {} {})", skeleton.num_joints, skeleton.num_roots,
+                             skeleton.num_roots == 1 ? "root" : "roots", skeleton.num_tips,
+                             skeleton.num_tips == 1 ? "tip" : "tips"));
+  line("dofs", fmt::format("{} in {} columns", skeleton.num_dofs, skeleton.num_columns));
+  line("rotations", order_text(skeleton.rotation_orders));
+  line("positions", fmt::format("on {} of {} joints", skeleton.num_joints_with_translations,
+                                skeleton.num_joints));
+  if (told.motion) {
+    const TimeInfo& time = told.motion->time;
+    const auto first = time.first_frame_number;
     line("frames",
-         fmt::format("{}{}", motion->clip.num_frames,
+         fmt::format("{}{}", time.num_frames,
                      first == 0 ? "" : fmt::format(", the first is {} in the file", first)));
-    line("rate",
-         fmt::format("{:.6g} fps, frame time {} s{}", frame_rate(timeline), frame_time(timeline),
-                     has_own_times(timeline) ? ", frames at times of their own" : ""));
-    line("duration", fmt::format("{} s", duration(timeline, motion->clip.num_frames)));
+    line("rate", fmt::format("{:.6g} fps, frame time {} s{}", time.frame_rate, time.frame_time,
+                             time.has_own_times ? ", frames at times of their own" : ""));
+    line("duration", fmt::format("{} s", time.duration));
   }
   line("units",
        fmt::format("{}, length unit {}",
                    skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians",
                    skeleton.metres_per_unit > 0 ? fmt::format("{} m", skeleton.metres_per_unit)
                                                 : "not in the file"));
-  line("rest extent", box_text(world_extent(skeleton, rest_clip(skeleton))));
-  if (motion != nullptr) line("extent", box_text(world_extent(skeleton, motion->clip)));
+  line("rest extent", box_text(skeleton.rest_extent));
+  if (told.motion) line("extent", box_text(told.motion->extent));
   return text;
 }
 
@@ -203,94 +179,103 @@ std::string type_of(const Component& component) {
   return type == component.extras.end() ? "" : type->second;
 }
 
-Json json_of_component(const Component& component) {
+Json json_of_component(const ComponentInfo& info, const Component& component) {
   Json json = {{"type", type_of(component)},
-               {"content", component.content},
-               {"num_parts", component.num_parts},
-               {"num_frames", component.num_frames},
-               {"frame_rate", number(nominal_frame_rate(component.timeline))}};
-  if (component.kind == ComponentKind::Vectors)
-    json["is_root_relative"] = component.is_root_relative;
+               {"content", info.content},
+               {"num_parts", info.num_parts},
+               {"num_frames", info.time.num_frames},
+               {"frame_rate", number(info.time.nominal_frame_rate)}};
+  if (info.kind == ComponentKind::Vectors) json["is_root_relative"] = info.is_root_relative;
   return json;
 }
 
 /// What a body motion has of length and rate: those of its main component.
-void add_body(Json& json, const BodyMotion& motion) {
-  if (const Component* main = main_component(motion)) {
-    json["num_frames"] = main->num_frames;
-    json["frame_time"] = number(frame_time(main->timeline));
-    json["frame_rate"] = number(nominal_frame_rate(main->timeline));
-    json["duration"] = number(duration(main->timeline, main->num_frames));
+void add_body(Json& json, const BodyInfo& info, const BodyMotion& motion) {
+  if (info.time) {
+    json["num_frames"] = info.time->num_frames;
+    json["frame_time"] = number(info.time->frame_time);
+    json["frame_rate"] = number(info.time->nominal_frame_rate);
+    json["duration"] = number(info.time->duration);
   }
   json["angle_unit"] = "radians";
   json["metres_per_unit"] = 1;
   json["components"] = Json::array();
-  for (const Component& component : motion.components) {
-    json["components"].push_back(json_of_component(component));
+  for (std::size_t c = 0; c < info.components.size(); ++c) {
+    json["components"].push_back(json_of_component(info.components[c], motion.components[c]));
   }
+}
+
+void add_motion(Json& json, const MotionInfo& info) {
+  json["num_frames"] = info.time.num_frames;
+  json["first_frame_number"] = info.time.first_frame_number;
+  json["frame_time"] = number(info.time.frame_time);
+  json["frame_rate"] = number(info.time.frame_rate);
+  json["duration"] = number(info.time.duration);
+  json["extent"] = box_json(info.extent);
+}
+
+/// The joints, each with its parent.
+Json joints_json(const Skeleton& skeleton) {
+  Json joints = Json::array();
+  for (const Joint& joint : skeleton.joints) {
+    const Json parent =
+        joint.parent == kNoParent ? Json() : Json(skeleton.joints[joint.parent].name);
+    joints.push_back({{"name", joint.name}, {"parent", parent}});
+  }
+  return joints;
 }
 
 Json json_of_document(const std::string& path, const Document& document) {
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
   for (const auto& [key, value] : document.extras.file) json[key] = value;
-  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
-    add_body(json, *motion);
+  const Info told = info(document);
+  if (told.body) {
+    add_body(json, *told.body, *std::get_if<BodyMotion>(&document.content));
     return json;
   }
-  const Skeleton& skeleton = skeleton_of(document);
-  json["num_joints"] = skeleton.joints.size();
-  json["num_dofs"] = num_dofs(skeleton);
-  json["num_columns"] = skeleton.coordinates.size();
-  json["num_tips"] = num_tips(skeleton);
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
-    const Timeline& timeline = motion->clip.timeline;
-    json["num_frames"] = motion->clip.num_frames;
-    json["first_frame_number"] = timeline.first_frame_number;
-    json["frame_time"] = number(frame_time(timeline));
-    json["frame_rate"] = number(frame_rate(timeline));
-    json["duration"] = number(duration(timeline, motion->clip.num_frames));
-    json["extent"] = box_json(world_extent(skeleton, motion->clip));
-  }
+  const SkeletonInfo& skeleton = *told.skeleton;
+  json["num_joints"] = skeleton.num_joints;
+  json["num_dofs"] = skeleton.num_dofs;
+  json["num_columns"] = skeleton.num_columns;
+  json["num_tips"] = skeleton.num_tips;
+  if (told.motion) add_motion(json, *told.motion);
   json["angle_unit"] = skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians";
   json["metres_per_unit"] = skeleton.metres_per_unit > 0 ? Json(skeleton.metres_per_unit) : Json();
-  json["rest_extent"] = box_json(world_extent(skeleton, rest_clip(skeleton)));
-  json["joints"] = Json::array();
-  for (const Joint& joint : skeleton.joints) {
-    const Json parent =
-        joint.parent == kNoParent ? Json() : Json(skeleton.joints[joint.parent].name);
-    json["joints"].push_back({{"name", joint.name}, {"parent", parent}});
-  }
+  json["rest_extent"] = box_json(skeleton.rest_extent);
+  json["joints"] = joints_json(skeleton_of(document));
   return json;
 }
 
 /// Prints what a flow holds, or adds it to the array for JSON.
-void tell_flow(const std::string& name, const Document& document, const Info& info, Json& all) {
-  const RobotProject* const project = info.reading.loaded_project.get();
-  if (info.is_json) {
-    all.push_back(flow_json(name, document, info.has_poses, project));
+void tell_flow(const std::string& name, const Document& document, const Options& options,
+               Json& all) {
+  const RobotProject* const project = options.reading.loaded_project.get();
+  const FlowInfo flow = *info(document, {options.has_poses, project}).flow;
+  if (options.is_json) {
+    all.push_back(flow_json(name, document, flow, options.has_poses));
     return;
   }
-  print_data(flow_text(name, document));
-  if (info.has_poses) print_data(poses_text(*std::get_if<PoseFlow>(&document.content), project));
+  print_data(flow_text(name, document, flow));
+  if (options.has_poses) print_data(poses_text(flow.poses));
 }
 
-int run(const Info& info, const Globals& globals) {
+int run(const Options& options, const Globals& globals) {
   int exit_code = kDone;
   Json all = Json::array();
-  for (const std::string& path : info.files) {
-    const auto document = load(path, info.reading, globals, exit_code);
+  for (const std::string& path : options.files) {
+    const auto document = load(path, options.reading, globals, exit_code);
     if (!document) continue;
     const std::string name = path == "-" ? "<stdin>" : path;
     const bool is_flow = std::holds_alternative<PoseFlow>(document->content);
-    if (info.has_poses && !is_flow) {
+    if (options.has_poses && !is_flow) {
       return usage_error(globals, fmt::format("'{}' holds no flow of poses", name));
     }
-    if (is_flow && (info.is_json || !info.is_tree)) {
-      tell_flow(name, *document, info, all);
-    } else if (info.is_json) {
+    if (is_flow && (options.is_json || !options.is_tree)) {
+      tell_flow(name, *document, options, all);
+    } else if (options.is_json) {
       all.push_back(json_of_document(name, *document));
-    } else if (info.is_tree) {
-      if (info.files.size() > 1) print_data(fmt::format("{}:\n", name));
+    } else if (options.is_tree) {
+      if (options.files.size() > 1) print_data(fmt::format("{}:\n", name));
       if (!has_skeleton(*document)) {
         return usage_error(globals, fmt::format("'{}' holds no skeleton to draw", name));
       }
@@ -299,23 +284,24 @@ int run(const Info& info, const Globals& globals) {
       print_data(text_of(name, *document));
     }
   }
-  if (info.is_json) print_json(all);
-  return finish_reading(info.reading, globals, exit_code);
+  if (options.is_json) print_json(all);
+  return finish_reading(options.reading, globals, exit_code);
 }
 
 }  // namespace
 
 void add_info(CLI::App& app, Globals& globals) {
-  auto info = std::make_shared<Info>();
+  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Tell what files hold");
-  command->add_option("FILE", info->files, "Files to read; - is standard input")->required();
-  command->add_flag("--tree", info->is_tree, "Draw the hierarchy of joints, and no more");
-  command->add_flag("--poses", info->has_poses,
+  command->add_option("FILE", options->files, "Files to read; - is standard input")->required();
+  command->add_flag("--tree", options->is_tree, "Draw the hierarchy of joints, and no more");
+  command->add_flag("--poses", options->has_poses,
                     "Of a flow of servo poses: also print its poses, with --project in degrees");
-  command->add_flag("--json", info->is_json, "Print an array with an object a file");
-  add_reading_options(*command, info->reading);
-  command->callback(
-      [info, &globals] { globals.run = [info, &globals] { return run(*info, globals); }; });
+  command->add_flag("--json", options->is_json, "Print an array with an object a file");
+  add_reading_options(*command, options->reading);
+  command->callback([options, &globals] {
+    globals.run = [options, &globals] { return run(*options, globals); };
+  });
 }
 
 }  // namespace kinefile::cli

@@ -8,7 +8,7 @@
 #include "numbers.hpp"
 #include "options.hpp"
 #include "report.hpp"
-#include "servo.hpp"
+#include "skeleton_source.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
@@ -23,23 +23,6 @@ struct Keyframe {
   Writing writing;
   Reading reading;
 };
-
-/// The joints of the map, out of a motion, or a body motion and the robot that `--skeleton` names.
-/// \param map  with the names of links
-Result<servo::JointTrajectory> trajectory_in(const Document& document, const ServoMap& map,
-                                             const Document* robot, Diagnostics& diagnostics) {
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
-    return servo::trajectory_of(*motion, map, diagnostics);
-  }
-  if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    return servo::trajectory_of(*body, map, robot == nullptr ? nullptr : &skeleton_of(*robot),
-                                diagnostics);
-  }
-  return fail(
-      make_error(ErrorKind::Usage, "CLI001",
-                 fmt::format("expected a motion to make poses of, found {}",
-                             has_skeleton(document) ? "a skeleton alone" : "a flow of poses")));
-}
 
 double seconds_of_pose(const servo::Keyframes& made, const ServoMap& map) {
   return static_cast<double>(made.ticks.back()) * map.tick_seconds;
@@ -76,21 +59,6 @@ Json json_of_keyframes(const Keyframe& keyframe, const servo::Keyframes& made,
           {"joints", joints}};
 }
 
-Result<servo::Keyframes> make(const Keyframe& keyframe, const Document& document,
-                              const ServoMap& map, Diagnostics& diagnostics) {
-  std::optional<Document> robot;
-  if (std::holds_alternative<BodyMotion>(document.content)) {
-    auto loaded = load_skeleton(keyframe.reading, diagnostics);
-    if (!loaded) return fail(std::move(loaded.error()));
-    robot = std::move(*loaded);
-  }
-  const Document* model = robot ? &*robot : &document;
-  const ServoMap named = has_skeleton(*model) ? with_link_names(map, *model) : map;
-  const auto trajectory = trajectory_in(document, named, robot ? &*robot : nullptr, diagnostics);
-  if (!trajectory) return fail(trajectory.error());
-  return servo::keyframe(*trajectory, named, keyframe.options, diagnostics);
-}
-
 int run(const Keyframe& keyframe, const Globals& globals) {
   const Format* format = output_format(keyframe.writing);
   if (format == nullptr && keyframe.writing.to.empty()) format = find_format("robovie");
@@ -112,9 +80,10 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   if (const auto effect = expect_options_of(keyframe.reading, format); !effect) {
     return finish(effect.error());
   }
-  const auto map = load_servo_map(keyframe.servo_map, diagnostics);
+  const auto map = read_servo_map(keyframe.servo_map, diagnostics);
   if (!map) return finish(map.error());
-  const auto made = make(keyframe, *document, *map, diagnostics);
+  const auto made = kinefile::keyframe(*document, *map, source_of_skeleton(keyframe.reading),
+                                       keyframe.options, diagnostics);
   if (!made) return finish(made.error());
   if (const auto used = expect_skeleton_used(keyframe.reading); !used) return finish(used.error());
   if (diagnostics.has_errors()) return finish(diagnostics.first_error());

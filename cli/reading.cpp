@@ -146,26 +146,6 @@ std::optional<PoseFlow> load_flow(const std::string& path, const Reading& readin
   return std::nullopt;
 }
 
-Result<Motion> motion_in_world(Document& document, const Reading& reading,
-                               Diagnostics& diagnostics) {
-  if (Motion* motion = std::get_if<Motion>(&document.content)) return std::move(*motion);
-  if (const Skeleton* skeleton = std::get_if<Skeleton>(&document.content)) {
-    Motion still{*skeleton, {}};
-    still.clip.num_coordinates = skeleton->coordinates.size();
-    return still;
-  }
-  if (std::holds_alternative<PoseFlow>(document.content)) {
-    return fail(make_error(ErrorKind::Usage, "CLI001",
-                           "expected a motion, found a flow of poses; 'kinefile run' with a servo "
-                           "map makes a motion of it"));
-  }
-  const BodyMotion& body = *std::get_if<BodyMotion>(&document.content);
-  const auto model = load_skeleton(reading, diagnostics);
-  if (!model) return fail(model.error());
-  if (!*model) return robot::motion_of_links(body);
-  return robot::pose(body, skeleton_of(**model), reading.is_lenient, diagnostics);
-}
-
 int usage_error(const Globals& globals, const std::string& message) {
   print_error(make_error(ErrorKind::Usage, "CLI001", message), globals);
   return kUsage;

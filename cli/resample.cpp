@@ -13,35 +13,19 @@ struct Resample {
   Retiming retiming;
 };
 
-/// Resamples every component from its own rate.
-int resample_body(BodyMotion& body, const Resample& resample, Document&& document,
-                  Diagnostics& diagnostics, const Globals& globals) {
-  const Retiming& retiming = resample.retiming;
-  const Format* format = output_format(retiming.writing, document);
-  if (format == nullptr) return no_output_format(retiming.writing, globals);
-  const retime::RetimeOptions options = retime_options(retiming);
-  auto made = change_components(body, false, [&](const Motion& motion) -> Result<Motion> {
-    const auto map = retime::resample_map(motion.clip, resample.frame_rate);
-    if (!map) return fail(map.error());
-    return retime::apply(motion, *map, options, diagnostics);
-  });
-  return write_document(std::move(made), std::move(document), *format, retiming.writing,
-                        resample.file, retiming.reading, diagnostics, globals);
-}
-
 int run(const Resample& resample, const Globals& globals) {
   int exit_code = kDone;
   auto document = load_motion(resample.file, resample.retiming.reading, globals, exit_code);
   if (!document) return exit_code;
+  const Retiming& retiming = resample.retiming;
+  const Format* format = output_format(retiming.writing, *document);
+  if (format == nullptr) return no_output_format(retiming.writing, globals);
   Diagnostics diagnostics;
-  diagnostics.warnings_are_errors = resample.retiming.reading.is_strict;
-  if (BodyMotion* body = std::get_if<BodyMotion>(&document->content)) {
-    return resample_body(*body, resample, std::move(*document), diagnostics, globals);
-  }
-  auto map =
-      retime::resample_map(std::get_if<Motion>(&document->content)->clip, resample.frame_rate);
-  return finish_retiming(std::move(map), std::move(*document), resample.file, resample.retiming,
-                         diagnostics, globals);
+  diagnostics.warnings_are_errors = retiming.reading.is_strict;
+  auto made =
+      retime::resample(*document, resample.frame_rate, retime_options(retiming), diagnostics);
+  return write_document(std::move(made), std::move(*document), *format, retiming.writing,
+                        resample.file, retiming.reading, diagnostics, globals);
 }
 
 }  // namespace

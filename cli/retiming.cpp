@@ -64,20 +64,9 @@ std::optional<Document> load_motion(const std::string& path, const Reading& read
                                     const Globals& globals, int& exit_code) {
   auto document = load(path, reading, globals, exit_code);
   if (!document) return document;
-  const BodyMotion* body = std::get_if<BodyMotion>(&document->content);
-  if (std::holds_alternative<Motion>(document->content)) return document;
-  if (body != nullptr && main_component(*body) != nullptr) return document;
+  if (retime::has_frames(*document)) return document;
   exit_code = usage_error(globals, fmt::format("'{}' holds no motion", path));
   return std::nullopt;
-}
-
-Clip clip_of(const Document& document) {
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) return motion->clip;
-  const Component& main = *main_component(*std::get_if<BodyMotion>(&document.content));
-  Clip clip;
-  clip.num_frames = main.num_frames;
-  clip.timeline = main.timeline;
-  return clip;
 }
 
 int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
@@ -90,15 +79,8 @@ int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std:
     print_table(*map);
     return kDone;
   }
-  Result<void> made;
-  if (map) {
-    const retime::RetimeOptions options = retime_options(retiming);
-    made = change_motion(document, [&](const Motion& motion) {
-      return retime::apply(motion, *map, options, diagnostics);
-    });
-  } else {
-    made = fail(std::move(map.error()));
-  }
+  auto made = map ? retime::apply(document, *map, retime_options(retiming), diagnostics)
+                  : Result<void>(fail(std::move(map.error())));
   return write_document(std::move(made), std::move(document), *format, retiming.writing, path,
                         retiming.reading, diagnostics, globals);
 }

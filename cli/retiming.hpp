@@ -27,10 +27,6 @@ void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table)
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,
                                     const Globals& globals, int& exit_code);
 
-/// The clip whose frames a document's times are said in: a motion's, or a body motion's main
-/// component.
-Clip clip_of(const Document& document);
-
 /// Ends a command: prints the map, or shows the motion by it and writes that. Reports errors.
 int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
                     const Retiming& retiming, Diagnostics& diagnostics, const Globals& globals);

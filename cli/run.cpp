@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
+#include <utility>
 
 #include "command.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
 #include "report.hpp"
-#include "run_inputs.hpp"
-#include "run_output.hpp"
-#include "servo.hpp"
+#include "skeleton_source.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
 namespace {
-
-/// A run is kept in memory: this is two days.
-constexpr std::uint64_t kMostTicks = 10'000'000;
 
 struct Run {
   std::string file;
@@ -40,26 +34,17 @@ struct Run {
   Reading reading;
 };
 
-/// What a flow did, and what tells what that means.
-struct Execution {
-  flow::Run run;
-  flow::RunOptions options;
-  double tick_seconds = 1.0 / 60;
-  std::shared_ptr<const RobotProject> project;
-  std::optional<ServoMap> map;
-};
+using VariableValue = std::pair<std::size_t, std::int16_t>;
 
-/// How long a tick is: 1/60 s, or what the servo map, the project or `--tick-us` says.
-double tick_seconds_of(const Run& run, const Execution& execution) {
-  if (run.tick_us) return *run.tick_us == 16667 ? 1.0 / 60 : *run.tick_us * 1e-6;
-  if (execution.project != nullptr) return execution.project->tick_seconds;
-  return execution.map ? execution.map->tick_seconds : 1.0 / 60;
-}
-
-/// How many ticks begin within some seconds.
-std::uint64_t ticks_within(double seconds, double tick_seconds) {
-  const double ticks = std::ceil(seconds / tick_seconds - 1e-9);
-  return static_cast<std::uint64_t>(std::min(std::max(ticks, 0.0), 1e15));
+/// Reads "64=3" or "v64=3"; nothing if it is no variable and value.
+std::optional<VariableValue> parse_variable_value(std::string_view text) {
+  if (text.starts_with('v')) text.remove_prefix(1);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return std::nullopt;
+  const auto variable = parse_number<std::size_t>(text.substr(0, equals));
+  const auto value = parse_number<std::int16_t>(text.substr(equals + 1));
+  if (!variable || *variable >= kNumVariables || !value) return std::nullopt;
+  return VariableValue{*variable, *value};
 }
 
 Result<std::vector<flow::Input>> load_inputs(const std::string& path) {
@@ -69,13 +54,19 @@ Result<std::vector<flow::Input>> load_inputs(const std::string& path) {
   return parse_inputs(bytes->view(), path);
 }
 
-Result<flow::RunOptions> options_of(const Run& run, const Execution& execution) {
-  flow::RunOptions options;
-  if (execution.map) options.base_pose = execution.map->base_pose;
-  if (execution.project != nullptr) options = flow::run_options_of(*execution.project);
-  const double tick_seconds = execution.tick_seconds;
+/// How the flow is to be run.
+Result<RunSettings> settings_of(const Run& run, Diagnostics& diagnostics) {
+  RunSettings settings;
+  auto project = load_project(run.reading, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  settings.project = std::move(*project);
+  if (!run.servo_map.empty()) {
+    auto map = read_servo_map(run.servo_map, diagnostics);
+    if (!map) return fail(std::move(map.error()));
+    settings.servo_map = std::move(*map);
+  }
+  flow::RunOptions& options = settings.options;
   options.num_loops = run.num_loops;
-  if (run.hold_seconds) options.hold_ticks = ticks_within(*run.hold_seconds, tick_seconds);
   for (const std::string& word : run.variables) {
     options.variables.push_back(*parse_variable_value(word));
   }
@@ -87,10 +78,10 @@ Result<flow::RunOptions> options_of(const Run& run, const Execution& execution) 
   options.true_takes_branch = run.mif_true == "branch";
   options.skips_division_by_zero = run.skips_division_by_zero;
   if (run.max_ticks) options.max_ticks = *run.max_ticks;
-  if (run.max_seconds) {
-    options.max_ticks = std::min(ticks_within(*run.max_seconds, tick_seconds), kMostTicks);
-  }
-  return options;
+  settings.tick_us = run.tick_us;
+  settings.hold_seconds = run.hold_seconds;
+  settings.max_seconds = run.max_seconds;
+  return settings;
 }
 
 /// What was noticed in a run, with the file that it is about.
@@ -147,49 +138,18 @@ std::string misuse(const Run& run) {
   return {};
 }
 
-/// Runs a flow.
-Result<Execution> execute(const Run& run, const PoseFlow& flow, Diagnostics& diagnostics) {
-  Execution execution;
-  auto project = load_project(run.reading, diagnostics);
-  if (!project) return fail(std::move(project.error()));
-  execution.project = std::move(*project);
-  if (!run.servo_map.empty()) {
-    auto map = load_servo_map(run.servo_map, diagnostics);
-    if (!map) return fail(std::move(map.error()));
-    execution.map = std::move(*map);
-  }
-  execution.tick_seconds = tick_seconds_of(run, execution);
-  auto options = options_of(run, execution);
-  if (!options) return fail(std::move(options.error()));
-  execution.options = std::move(*options);
-  auto done = flow::run(flow, execution.options, diagnostics);
-  if (!done) return fail(std::move(done.error()));
-  execution.run = std::move(*done);
-  return execution;
-}
-
 /// Writes what the sliders did, or the way of the flow.
-Result<void> write_sliders(const Run& run, const PoseFlow& flow, const Execution& execution) {
+Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun& done) {
   auto file = OutputFile::create(run.writing.out, run.writing.may_replace);
   if (!file) return fail(file.error());
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (run.is_trace) {
-    sink(trace_of(flow, execution.run, execution.options, execution.tick_seconds));
+    sink(trace_of(flow, done));
   } else {
-    write_run_csv({execution.run, execution.tick_seconds,
-                   run.in_degrees ? execution.project.get() : nullptr, run.is_relative},
-                  sink);
+    const RobotProject* const project = run.reading.loaded_project.get();
+    write_run_csv({done, run.in_degrees ? project : nullptr, run.is_relative}, sink);
   }
   return file->commit();
-}
-
-/// What the joints did, by the servo map, on the robot or figure that `--skeleton` names.
-Result<Document> motion_of(const Run& run, const Execution& execution, Diagnostics& diagnostics) {
-  ServoMap map = *execution.map;
-  map.tick_seconds = execution.tick_seconds;
-  const auto skeleton = load_skeleton(run.reading, diagnostics);
-  if (!skeleton) return fail(skeleton.error());
-  return document_of_run(execution.run, map, *skeleton ? &**skeleton : nullptr, diagnostics);
 }
 
 /// Tells what was noticed and what ended the command, if something did. Returns the exit code.
@@ -214,14 +174,17 @@ int run_command(const Run& run, const Globals& globals) {
     return kUsage;
   }
   Diagnostics noticed;
-  const auto execution = execute(run, *flow, noticed);
-  if (!execution) return report_run(run, noticed, fail(execution.error()), globals);
-  if (run.is_trace || !execution->map) {
-    return report_run(run, noticed, write_sliders(run, *flow, *execution), globals);
+  const auto settings = settings_of(run, noticed);
+  if (!settings) return report_run(run, noticed, fail(settings.error()), globals);
+  const auto done = kinefile::run(*flow, *settings, noticed);
+  if (!done) return report_run(run, noticed, fail(done.error()), globals);
+  if (run.is_trace || !settings->servo_map) {
+    return report_run(run, noticed, write_sliders(run, *flow, *done), globals);
   }
-  const Format& format = *format_of(run);
-  auto document = motion_of(run, *execution, noticed);
+  auto document =
+      document_of_run(*done, *settings->servo_map, source_of_skeleton(run.reading), noticed);
   if (!document) return report_run(run, noticed, fail(document.error()), globals);
+  const Format& format = *format_of(run);
   Diagnostics diagnostics = named(noticed, run);
   return write_document({}, std::move(*document), format, run.writing, run.file, run.reading,
                         diagnostics, globals);
@@ -257,7 +220,7 @@ void add_time_options(CLI::App& command, Run& run) {
                       ->check(is_time)
                       ->type_name("SECONDS");
   command.add_option("--max-ticks", run.max_ticks, "Stop after so many ticks")
-      ->check([](const std::string& text) { return check_count(text, 0, kMostTicks); })
+      ->check([](const std::string& text) { return check_count(text, 0, kMostRunTicks); })
       ->excludes(seconds)
       ->type_name("N");
 }

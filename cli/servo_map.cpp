@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "command.hpp"
 #include "report.hpp"
-#include "servo.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -13,22 +13,6 @@ struct MakeServoMap {
   bool may_replace = false;
 };
 
-Result<ServoMap> map_of_project(const MakeServoMap& make, Diagnostics& diagnostics) {
-  const auto bytes = FileBytes::open(make.file);
-  if (!bytes) return fail(bytes.error());
-  ReadOptions options;
-  options.source_name = make.file == "-" ? "<stdin>" : make.file;
-  options.companions = files_beside(make.file);
-  const auto project = read_project(bytes->view(), options, diagnostics);
-  if (!project) return fail(project.error());
-  ServoMap map = servo_map_of(*project);
-  if (!map.entries.empty()) return map;
-  return fail(make_error(ErrorKind::InvalidInput, "SVM013",
-                         "expected sliders that are shown in degrees and that servos follow, found "
-                         "none",
-                         make.file));
-}
-
 Result<void> write(const MakeServoMap& make, const ServoMap& map) {
   auto file = OutputFile::create(make.out, make.may_replace);
   if (!file) return fail(file.error());
@@ -38,7 +22,7 @@ Result<void> write(const MakeServoMap& make, const ServoMap& map) {
 
 int run(const MakeServoMap& make, const Globals& globals) {
   Diagnostics diagnostics;
-  const auto map = map_of_project(make, diagnostics);
+  const auto map = make_servo_map(make.file, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   const auto written = map ? write(make, *map) : Result<void>(fail(map.error()));
   if (written) return kDone;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "numbers.hpp"
 #include "report.hpp"
@@ -45,25 +46,17 @@ std::string check_ease(const std::string& text) {
                                   : "expected an ease such as smooth, in-out:3, bezier:0.4,0,0.6,1";
 }
 
-std::vector<retime::WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
+std::vector<retime::WarpKey> keys_of(const Warp& warp) {
   std::vector<retime::WarpKey> keys;
   for (const std::string& text : warp.keys) {
-    for (const std::string& part : CLI::detail::split(text, ',')) {
-      retime::WarpKey key = *parse_key(part);
-      if (warp.is_in_seconds) {
-        key = {frame_at_time(timeline, key.old_frame), frame_at_time(timeline, key.new_frame)};
-      }
-      keys.push_back(key);
-    }
+    for (const std::string& part : CLI::detail::split(text, ',')) keys.push_back(*parse_key(part));
   }
   return keys;
 }
 
-Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
-                                 Diagnostics& diagnostics) {
-  const Clip clip = clip_of(document);
+retime::DocumentWarp options_of(const Warp& warp) {
   retime::WarpOptions options;
-  options.keys = keys_of(warp, clip.timeline);
+  options.keys = keys_of(warp);
   if (warp.tail == "extend") options.tail = retime::Tail::Extend;
   if (warp.tail == "uniform") options.tail = retime::Tail::Uniform;
   if (warp.curve == "pchip") options.curve = retime::WarpCurve::Pchip;
@@ -72,27 +65,7 @@ Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
   if (!warp.ease.empty()) options.ease = *retime::parse_ease(warp.ease);
   options.allow_hold = warp.allows_hold;
   options.allow_reverse = warp.allows_reverse;
-  if (warp.follows_contacts) {
-    const Motion* motion = std::get_if<Motion>(&document.content);
-    if (motion == nullptr) {
-      return fail(make_error(ErrorKind::Usage, "CLI002",
-                             "expected a motion with a skeleton for --contacts, found components"));
-    }
-    auto weights = retime::contact_weights(*motion, diagnostics);
-    if (!weights) return fail(std::move(weights.error()));
-    options.weights = std::move(*weights);
-  }
-  auto map = retime::warp_map(clip.num_frames, options);
-  if (map && has_own_times(clip.timeline)) {
-    // A new frame happens when the old one of its number did.
-    FrameTimes times;
-    times.per_second = frame_rate(clip.timeline);
-    for (std::size_t f = 0; f < map->old_frames.size(); ++f) {
-      times.seconds.push_back(time_of_frame(clip.timeline, f));
-    }
-    map->timeline = Timeline{std::move(times), clip.timeline.first_frame_number};
-  }
-  return map;
+  return {std::move(options), warp.is_in_seconds, warp.follows_contacts};
 }
 
 int run(const Warp& warp, const Globals& globals) {
@@ -101,7 +74,7 @@ int run(const Warp& warp, const Globals& globals) {
   if (!document) return exit_code;
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = warp.retiming.reading.is_strict;
-  auto map = make_map(warp, *document, diagnostics);
+  auto map = retime::warp_map(*document, options_of(warp), diagnostics);
   return finish_retiming(std::move(map), std::move(*document), warp.file, warp.retiming,
                          diagnostics, globals);
 }

@@ -47,7 +47,9 @@ PUBLIC = {
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "anomalies": "kinematics", "limits": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
-    "servo": "servo", "operation": "model", "process": "document", "convert": "document", "io": "io", "kinefile": "all",
+    "servo": "servo", "operation": "model", "process": "document", "convert": "document",
+    "check": "document", "place": "document", "info": "document", "fk": "document",
+    "differences": "document", "run": "document", "retime_documents": "document", "io": "io", "kinefile": "all",
 }
 
 # Third-party headers that public headers may show, and what only some layers may use.

@@ -124,6 +124,10 @@ int first_block(const PoseFlow& flow);
 /// loops, branches and WORD_N poses the other. -1 is left out.
 std::vector<int> successors(const PoseFlow& flow, std::size_t block);
 
+/// Whether a way leads to a block from the first one; shape (blocks). None does without a first
+/// one.
+std::vector<bool> reachable_blocks(const PoseFlow& flow);
+
 /// "start", "end", "pose", "loop", "arithmetic" or "branch".
 std::string_view body_name(const Block& block);
 

@@ -5,15 +5,10 @@
 
 #include <utility>
 
+#include "document/sources.hpp"
+
 namespace kinefile {
 namespace {
-
-/// What a source gives; null where there is no source.
-Result<std::shared_ptr<const Document>> document_of(const DocumentSource& source,
-                                                    Diagnostics& diagnostics) {
-  if (!source) return std::shared_ptr<const Document>();
-  return source(diagnostics);
-}
 
 /// Whether a document was read with a skeleton of its own, which is no robot to put it on.
 bool has_own_skeleton(const Document& document) {

@@ -11,22 +11,6 @@ namespace {
 
 /// Points for a pixel of the editor, so that its 54 pixels from block to block hold our labels.
 constexpr double kPointsPerPixel = 1.5;
-/// From pose to pose where a format has no places.
-
-/// By block: whether a way leads to it.
-std::vector<bool> reachable_blocks(const PoseFlow& flow) {
-  std::vector<bool> is_reached(flow.blocks.size());
-  std::vector<int> open;
-  if (const int first = first_block(flow); first != kNoBlock) open.push_back(first);
-  while (!open.empty()) {
-    const auto block = static_cast<std::size_t>(open.back());
-    open.pop_back();
-    if (is_reached[block]) continue;
-    is_reached[block] = true;
-    for (const int next : successors(flow, block)) open.push_back(next);
-  }
-  return is_reached;
-}
 
 /// A text between the quotes of DOT, where a backslash would begin an escape.
 std::string escaped(std::string_view text) {

@@ -172,7 +172,7 @@ Result<void> write_companion(const std::string& path, const Document& document,
 
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics) {
-  options.source_name = path;
+  options.source_name = path == "-" ? "<stdin>" : path;
   options.companions = files_beside(path);
   const auto bytes = FileBytes::open(path);
   if (!bytes) return fail(bytes.error());

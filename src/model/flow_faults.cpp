@@ -30,23 +30,6 @@ Ways ways_of(const PoseFlow& flow) {
   return ways;
 }
 
-std::vector<bool> reachable(const Ways& ways, int first) {
-  std::vector<bool> is_reached(ways.size());
-  std::vector<int> waiting;
-  const auto reach = [&](int block) {
-    if (block == kNoBlock || is_reached[static_cast<std::size_t>(block)]) return;
-    is_reached[static_cast<std::size_t>(block)] = true;
-    waiting.push_back(block);
-  };
-  reach(first);
-  while (!waiting.empty()) {
-    const auto block = static_cast<std::size_t>(waiting.back());
-    waiting.pop_back();
-    for (const int next : ways[block]) reach(next);
-  }
-  return is_reached;
-}
-
 /// Groups of blocks that lead to each other and back: Tarjan's algorithm.
 class Cycles {
  public:
@@ -196,7 +179,7 @@ std::vector<FlowFinding> find_flow_faults(const PoseFlow& flow) {
   const Ways ways = ways_of(flow);
   const int first = first_block(flow);
   const std::vector<bool> is_reached =
-      first == kNoBlock ? std::vector<bool>(ways.size(), true) : reachable(ways, first);
+      first == kNoBlock ? std::vector<bool>(ways.size(), true) : reachable_blocks(flow);
   for (std::size_t b = 0; b < ways.size(); ++b) {
     if (is_reached[b]) {
       find_missing_ways(flow, b, findings);

@@ -37,6 +37,20 @@ std::vector<int> successors(const PoseFlow& flow, std::size_t number) {
   return next;
 }
 
+std::vector<bool> reachable_blocks(const PoseFlow& flow) {
+  std::vector<bool> is_reached(flow.blocks.size());
+  std::vector<int> waiting;
+  if (const int first = first_block(flow); first != kNoBlock) waiting.push_back(first);
+  while (!waiting.empty()) {
+    const auto block = static_cast<std::size_t>(waiting.back());
+    waiting.pop_back();
+    if (is_reached[block]) continue;
+    is_reached[block] = true;
+    for (const int next : successors(flow, block)) waiting.push_back(next);
+  }
+  return is_reached;
+}
+
 std::string_view body_name(const Block& block) {
   constexpr std::string_view kNames[] = {"start", "end", "pose", "loop", "arithmetic", "branch"};
   static_assert(std::size(kNames) == std::variant_size_v<BlockBody>);

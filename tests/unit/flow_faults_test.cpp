@@ -34,6 +34,17 @@ Faults faults_of(std::vector<Block> blocks) {
 
 const PoseBlock kPose;
 
+TEST(ReachableBlocks, AreThoseThatAWayLeadsToFromTheFirst) {
+  PoseFlow flow;
+  flow.blocks = {block(kPose, 1), block(EndBlock{}, -1), block(StartBlock{}, 1), block(kPose, 2)};
+  EXPECT_EQ(reachable_blocks(flow), (std::vector<bool>{false, true, true, false}));
+  flow.blocks.erase(flow.blocks.begin() + 2);
+  EXPECT_EQ(reachable_blocks(flow), (std::vector<bool>{false, false, false}));
+  flow.format = FlowFormat::WordN;
+  flow.blocks = {block(kPose, 1, 2), block(kPose, 0), block(kPose, -1)};
+  EXPECT_EQ(reachable_blocks(flow), (std::vector<bool>{true, true, true}));
+}
+
 TEST(FlowFaults, AStraightFlowHasNone) {
   EXPECT_EQ(faults_of({block(StartBlock{}, 2), block(EndBlock{}, -1), block(kPose, 1)}), Faults{});
   EXPECT_EQ(faults_of({}), Faults{});

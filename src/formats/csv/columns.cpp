@@ -53,7 +53,7 @@ Group& group_of(std::vector<Group>& groups, ComponentKind kind, const std::strin
 }
 
 /// How many columns from one on are the x, y, z, qw, ... of the same name.
-std::size_t count_of_pose_channels(const std::vector<Field>& header, std::size_t first) {
+std::size_t count_of_pose_channels(const std::vector<text::CsvField>& header, std::size_t first) {
   const std::string name = split_name(header[first].text).first;
   std::size_t count = 0;
   while (count < kPoseChannels.size() && first + count < header.size() &&
@@ -66,7 +66,7 @@ std::size_t count_of_pose_channels(const std::vector<Field>& header, std::size_t
 
 /// Puts the component that begins with a column into its group. Returns how many columns it has,
 /// 0 after an error.
-std::size_t take_columns(const TableReader& reader, const std::vector<Field>& header,
+std::size_t take_columns(const TableReader& reader, const std::vector<text::CsvField>& header,
                          std::size_t first, std::vector<Group>& groups) {
   const auto split = split_name(header[first].text);
   const std::string& name = split.first;
@@ -110,7 +110,7 @@ std::size_t take_columns(const TableReader& reader, const std::vector<Field>& he
 }
 
 /// Groups columns by what they are of. Empty after an error.
-std::vector<Group> grouped(const TableReader& reader, const std::vector<Field>& header) {
+std::vector<Group> grouped(const TableReader& reader, const std::vector<text::CsvField>& header) {
   if (lowered(header[0].text) != "time" || header.size() < 2) {
     reader.error("CSV002",
                  fmt::format("expected a header of 'time' and names of columns, found {}{}",
@@ -153,12 +153,13 @@ std::map<std::string, std::size_t> ids_of(const Document& robot) {
 }
 
 /// Brings columns of joints into the order of the robot's joint ids.
-void put_in_order(const TableReader& reader, const std::vector<Field>& header, Group& group) {
+void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& header,
+                  Group& group) {
   const std::map<std::string, std::size_t> ids = ids_of(*reader.options.skeleton);
   std::vector<std::size_t> ordered(
       skeleton_of(*reader.options.skeleton).coordinates.size() - kRootColumns, kNoColumn);
   for (const std::size_t column : group.columns) {
-    const Field& field = header[column];
+    const text::CsvField& field = header[column];
     const auto id = ids.find(split_name(field.text).first);
     const bool is_known = id != ids.end() && id->second < ordered.size();
     if (!is_known || ordered[id->second] != kNoColumn) {
@@ -185,8 +186,8 @@ void put_in_order(const TableReader& reader, const std::vector<Field>& header, G
 }
 
 /// The fields without blanks around their texts.
-std::vector<Field> without_blanks(std::vector<Field> fields) {
-  for (Field& field : fields) {
+std::vector<text::CsvField> without_blanks(std::vector<text::CsvField> fields) {
+  for (text::CsvField& field : fields) {
     while (!field.text.empty() && text::is_blank(field.text.back())) field.text.pop_back();
     const auto first = std::find_if_not(field.text.begin(), field.text.end(), text::is_blank);
     field.text.erase(field.text.begin(), first);
@@ -204,8 +205,9 @@ bool has_joint_ids(const kinefile::ReadOptions& options) {
 
 }  // namespace
 
-std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& fields) {
-  const std::vector<Field> header = without_blanks(fields);
+std::vector<Group> parse_header(const TableReader& reader,
+                                const std::vector<text::CsvField>& fields) {
+  const std::vector<text::CsvField> header = without_blanks(fields);
   std::vector<Group> groups = grouped(reader, header);
   for (Group& group : groups) {
     const bool is_of_joints = group.kind == ComponentKind::Values &&

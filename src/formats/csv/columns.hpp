@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/csv/fields.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/format.hpp"
+#include "text/csv_fields.hpp"
 #include "text/source.hpp"
 
 namespace kinefile::csv {
@@ -22,7 +22,7 @@ struct TableReader {
     text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
   }
   /// Whether quotes are as they should be so far; else that is told.
-  bool are_quotes_good(const Fields& fields) const {
+  bool are_quotes_good(const text::CsvFields& fields) const {
     if (fields.fault() == nullptr) return true;
     const bool is_opening = *fields.fault() == '"';
     error("CSV015",
@@ -46,6 +46,7 @@ struct Group {
 
 /// Finds out what the columns are by the header; joints go to their ids by their names where
 /// `options.skeleton` tells them. Empty after an error.
-std::vector<Group> parse_header(const TableReader& reader, const std::vector<Field>& header);
+std::vector<Group> parse_header(const TableReader& reader,
+                                const std::vector<text::CsvField>& header);
 
 }  // namespace kinefile::csv

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "formats/csv/columns.hpp"
-#include "formats/csv/fields.hpp"
 #include "formats/csv/flow_table.hpp"
 #include "formats/files.hpp"
 #include "formats/table_rows.hpp"
+#include "text/csv_fields.hpp"
 #include "text/decode.hpp"
 #include "text/numbers.hpp"
 
@@ -15,10 +15,10 @@ namespace kinefile::csv {
 namespace {
 
 /// Reads a number; false after an error.
-bool parse_value(const TableReader& reader, Fields& fields, std::vector<double>& values) {
+bool parse_value(const TableReader& reader, text::CsvFields& fields, std::vector<double>& values) {
   const char* const at = fields.position();
   const auto plain = fields.take_plain();
-  const Field in_quotes = plain ? Field{} : fields.take_field();
+  const text::CsvField in_quotes = plain ? text::CsvField{} : fields.take_field();
   if (!reader.are_quotes_good(fields)) return false;
   const std::string_view token = plain ? *plain : std::string_view(in_quotes.text);
   const text::Number number = text::parse_number(token);
@@ -34,7 +34,7 @@ bool parse_value(const TableReader& reader, Fields& fields, std::vector<double>&
 }
 
 /// Reads the rows; false after an error.
-bool parse_rows(const TableReader& reader, Fields& fields, TableRows& rows) {
+bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
   while (!fields.is_at_end()) {
     const char* const start = fields.position();
     if (fields.take_line_end()) continue;  // an empty line
@@ -78,8 +78,8 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
 }
 
 /// Reads the components of a robot's motion behind a header; empty after an error.
-std::optional<BodyMotion> read_body(const TableReader& reader, Fields& fields,
-                                    const std::vector<Field>& header) {
+std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& fields,
+                                    const std::vector<text::CsvField>& header) {
   const std::vector<Group> groups = parse_header(reader, header);
   TableRows rows;
   rows.num_columns = header.size();
@@ -100,8 +100,8 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   if (!decoded) return fail(std::move(decoded.error()));
   const text::Source source(options.source_name, decoded->view());
   const TableReader reader{source, options, diagnostics};
-  Fields fields(source.text());
-  const std::vector<Field> header = fields.take_record();
+  text::CsvFields fields(source.text());
+  const std::vector<text::CsvField> header = fields.take_record();
   if (!reader.are_quotes_good(fields)) return fail(diagnostics.first_error());
   Document document;
   document.format = "csv";

@@ -6,8 +6,8 @@
 
 #include "base/words.hpp"
 #include "formats/csv/flow_table.hpp"
-#include "formats/slider_words.hpp"
 #include "kinefile/robot_project.hpp"
+#include "model/slider_words.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::csv {
@@ -54,20 +54,20 @@ struct Arrows {
 
 class FlowReader {
  public:
-  FlowReader(const TableReader& reader, const std::vector<Field>& header)
+  FlowReader(const TableReader& reader, const std::vector<text::CsvField>& header)
       : reader_(reader), own_(reader.options.of_formats.get<csv::ReadOptions>()), header_(header) {
     if (reader.options.project != nullptr && own_.is_relative) {
       base_ = base_values(*reader.options.project);
     }
   }
 
-  std::optional<PoseFlow> read(Fields& fields) {
+  std::optional<PoseFlow> read(text::CsvFields& fields) {
     if (!parse_columns()) return std::nullopt;
     flow_.format = FlowFormat::WordN;
     while (!fields.is_at_end()) {
       if (fields.take_line_end()) continue;  // an empty line
       const char* const start = fields.position();
-      const std::vector<Field> row = fields.take_record();
+      const std::vector<text::CsvField> row = fields.take_record();
       if (!reader_.are_quotes_good(fields)) return std::nullopt;
       if (row.size() != columns_.size()) {
         error("CSV005", fmt::format("expected {} fields, found {}", columns_.size(), row.size()),
@@ -88,7 +88,7 @@ class FlowReader {
 
   bool parse_columns() {
     std::vector<bool> is_known(max_sliders(FlowFormat::WordN));
-    for (const Field& field : header_) {
+    for (const text::CsvField& field : header_) {
       const auto column = column_of(field.text, reader_.options.project.get());
       const bool is_again =
           column && (column->word.empty()
@@ -114,7 +114,7 @@ class FlowReader {
     return flow_.num_sliders > 0;
   }
 
-  void parse_row(const std::vector<Field>& row, const char* start) {
+  void parse_row(const std::vector<text::CsvField>& row, const char* start) {
     Block block;
     block.line = reader_.source.place_of(start).line;
     block.normal = kOpenArrow;
@@ -142,7 +142,8 @@ class FlowReader {
     arrows_.push_back(arrows);
   }
 
-  int integer(const Field& field, const char* code, int least, int most, const char* expected) {
+  int integer(const text::CsvField& field, const char* code, int least, int most,
+              const char* expected) {
     const std::string_view token = trimmed(field.text);
     const text::Number number = text::parse_number(token);
     const bool is_good = number.fault == text::NumberFault::None && number.value >= least &&
@@ -157,14 +158,14 @@ class FlowReader {
   }
 
   /// A pose's number, or -1; nothing is what `nothing` says.
-  int arrow(const Field& field, int nothing) {
+  int arrow(const text::CsvField& field, int nothing) {
     if (trimmed(field.text).empty()) return nothing;
     constexpr int kMost = 100'000'000;
     return integer(field, "CSV012", kNoBlock, kMost,
                    "the number of a pose, from 0, or -1 for none");
   }
 
-  SliderWord word(const Field& field, std::size_t slider) {
+  SliderWord word(const text::CsvField& field, std::size_t slider) {
     const std::string_view token = trimmed(field.text);
     if (const auto word = parse_word(token)) return *word;
     if (token.empty()) return {};
@@ -185,7 +186,7 @@ class FlowReader {
     return {};
   }
 
-  SliderWord word_of_degrees(double degrees, std::size_t slider, const Field& field) {
+  SliderWord word_of_degrees(double degrees, std::size_t slider, const text::CsvField& field) {
     const RobotProject* project = reader_.options.project.get();
     const bool is_known = project != nullptr && slider < project->sliders.size() &&
                           project->sliders[slider].units_per_degree > 0;
@@ -234,7 +235,7 @@ class FlowReader {
 
   const TableReader& reader_;
   const csv::ReadOptions& own_;
-  const std::vector<Field>& header_;
+  const std::vector<text::CsvField>& header_;
   std::vector<Column> columns_;
   std::vector<Arrows> arrows_;
   std::vector<std::int16_t> base_;
@@ -243,9 +244,9 @@ class FlowReader {
 
 }  // namespace
 
-bool is_flow_header(const std::vector<Field>& header, const RobotProject* project) {
+bool is_flow_header(const std::vector<text::CsvField>& header, const RobotProject* project) {
   bool has_time = false;
-  for (const Field& field : header) {
+  for (const text::CsvField& field : header) {
     const auto column = column_of(field.text, project);
     if (!column) return false;
     has_time |= column->word == kTime;
@@ -253,8 +254,8 @@ bool is_flow_header(const std::vector<Field>& header, const RobotProject* projec
   return has_time && header.size() > 1;
 }
 
-std::optional<PoseFlow> read_flow(const TableReader& reader, Fields& fields,
-                                  const std::vector<Field>& header) {
+std::optional<PoseFlow> read_flow(const TableReader& reader, text::CsvFields& fields,
+                                  const std::vector<text::CsvField>& header) {
   return FlowReader(reader, header).read(fields);
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "formats/csv/flow_table.hpp"
-#include "formats/slider_words.hpp"
 #include "kinefile/robot_project.hpp"
+#include "model/slider_words.hpp"
 #include "text/printer.hpp"
 
 namespace kinefile::csv {

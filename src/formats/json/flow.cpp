@@ -4,7 +4,7 @@
 #include <array>
 
 #include "formats/json/writer.hpp"
-#include "formats/slider_words.hpp"
+#include "model/slider_words.hpp"
 
 namespace kinefile::json {
 namespace {

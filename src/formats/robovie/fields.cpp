@@ -6,7 +6,7 @@
 
 #include "formats/robovie/codes.hpp"
 #include "formats/robovie/reader.hpp"
-#include "formats/slider_words.hpp"
+#include "model/slider_words.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::robovie {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/slider_words.hpp"
+#include "model/slider_words.hpp"
 
 namespace kinefile::robovie {
 namespace {

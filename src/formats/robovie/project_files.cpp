@@ -5,7 +5,7 @@
 
 #include "formats/robovie/codes.hpp"
 #include "formats/robovie/project.hpp"
-#include "formats/slider_words.hpp"
+#include "model/slider_words.hpp"
 
 namespace kinefile::robovie {
 namespace {

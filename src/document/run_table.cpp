@@ -1,38 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "run_output.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iterator>
 
-#include "flow_words.hpp"
+#include "kinefile/run.hpp"
+#include "model/slider_words.hpp"
+#include "text/printer.hpp"
 
-namespace kinefile::cli {
+namespace kinefile {
 namespace {
 
-constexpr std::size_t kPieceSize = 1 << 16;
+constexpr std::size_t kRunPieceSize = 1 << 16;
 
-/// A field of a table, in quotes where it must be.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
+/// A time of a flow; ticks of 1/60 s give what 60 divides.
+double seconds_of(std::uint64_t tick, double tick_seconds) {
+  const auto ticks = static_cast<double>(tick);
+  const double rate = std::round(1 / tick_seconds);
+  return std::abs(rate * tick_seconds - 1) < 1e-12 ? ticks / rate : ticks * tick_seconds;
 }
 
 /// How a column shows a slider: (word - base) / units.
-struct SliderColumn {
+struct RunColumn {
   std::string name;
   double units = 0;  ///< 0: the word itself
   int base = 0;
 };
 
-std::vector<SliderColumn> columns_of(const RunTable& table) {
-  std::vector<SliderColumn> columns(table.run.num_sliders);
+std::vector<RunColumn> run_columns_of(const RunTable& table) {
+  std::vector<RunColumn> columns(table.run.run.num_sliders);
   const auto base =
       table.project != nullptr ? base_values(*table.project) : std::vector<std::int16_t>();
   for (std::size_t s = 0; s < columns.size(); ++s) {
@@ -47,10 +43,10 @@ std::vector<SliderColumn> columns_of(const RunTable& table) {
 }
 
 /// Prints the rows of a run one by one, in large pieces.
-struct Writer {
+struct RunWriter {
   const RunTable& table;
   const Sink& sink;
-  std::vector<SliderColumn> columns;
+  std::vector<RunColumn> columns;
   bool has_sounds = false;
   bool has_masks = false;
   std::size_t next_event = 0;
@@ -58,29 +54,29 @@ struct Writer {
 
   void print_header() {
     buffer = "tick,time";
-    for (const SliderColumn& column : columns) buffer += "," + field(column.name);
+    for (const RunColumn& column : columns) buffer += "," + text::csv_field(column.name);
     if (has_sounds) buffer += ",sound";
     if (has_masks) buffer += ",servo_off";
     buffer += '\n';
   }
 
   void print_events(std::uint64_t tick) {
-    const auto& events = table.run.events;
+    const auto& events = table.run.run.events;
     std::string sound, mask;
     for (; next_event < events.size() && events[next_event].tick == tick; ++next_event) {
       const flow::Event& event = events[next_event];
       if (!event.sound.empty()) sound = event.sound;
-      if (event.changes_servos) mask = mask_text(event.servo_off);
+      if (event.changes_servos) mask = servo_mask_text(event.servo_off);
     }
-    if (has_sounds) buffer += "," + field(sound);
+    if (has_sounds) buffer += "," + text::csv_field(sound);
     if (has_masks) buffer += "," + mask;
   }
 
   void print_row(std::size_t tick) {
     const auto out = std::back_inserter(buffer);
-    fmt::format_to(out, "{},{}", tick, seconds_of(tick, table.tick_seconds));
-    const std::int16_t* row = table.run.sliders.data() + tick * columns.size();
-    for (const SliderColumn& column : columns) {
+    fmt::format_to(out, "{},{}", tick, seconds_of(tick, table.run.tick_seconds));
+    const std::int16_t* row = table.run.run.sliders.data() + tick * columns.size();
+    for (const RunColumn& column : columns) {
       const std::int16_t word = *row++;
       if (column.units > 0) {
         fmt::format_to(out, ",{}", (word - column.base) / column.units);
@@ -133,28 +129,23 @@ std::string_view end_text(flow::End end) {
 
 }  // namespace
 
-double seconds_of(std::uint64_t tick, double tick_seconds) {
-  const auto ticks = static_cast<double>(tick);
-  const double rate = std::round(1 / tick_seconds);
-  return std::abs(rate * tick_seconds - 1) < 1e-12 ? ticks / rate : ticks * tick_seconds;
-}
-
 bool write_run_csv(const RunTable& table, const Sink& sink) {
-  Writer writer{table, sink, columns_of(table)};
-  for (const flow::Event& event : table.run.events) {
+  RunWriter writer{table, sink, run_columns_of(table)};
+  for (const flow::Event& event : table.run.run.events) {
     writer.has_sounds = writer.has_sounds || !event.sound.empty();
     writer.has_masks = writer.has_masks || event.changes_servos;
   }
   writer.print_header();
-  for (std::size_t tick = 0; tick <= table.run.num_ticks; ++tick) {
+  for (std::size_t tick = 0; tick <= table.run.run.num_ticks; ++tick) {
     writer.print_row(tick);
-    if (writer.buffer.size() > kPieceSize && !writer.hand_on()) return false;
+    if (writer.buffer.size() > kRunPieceSize && !writer.hand_on()) return false;
   }
   return writer.hand_on();
 }
 
-std::string trace_of(const PoseFlow& flow, const flow::Run& run, const flow::RunOptions& options,
-                     double tick_seconds) {
+std::string trace_of(const PoseFlow& flow, const TimedRun& timed) {
+  const flow::Run& run = timed.run;
+  const double tick_seconds = timed.tick_seconds;
   std::string text;
   const auto out = std::back_inserter(text);
   for (const flow::Step& step : run.path) {
@@ -162,13 +153,13 @@ std::string trace_of(const PoseFlow& flow, const flow::Run& run, const flow::Run
     fmt::format_to(out, "{:6} {:9.3f}  {} {}", step.tick, seconds_of(step.tick, tick_seconds),
                    step.block, body_name(block));
     if (!block.name.empty()) fmt::format_to(out, " \"{}\"", block.name);
-    text += deed_of(flow, step, options) + "\n";
+    text += deed_of(flow, step, timed.options) + "\n";
   }
   for (const flow::Event& event : run.events) {
     const double seconds = seconds_of(event.tick, tick_seconds);
     if (event.changes_servos) {
       fmt::format_to(out, "{:6} {:9.3f}  servos off {}\n", event.tick, seconds,
-                     mask_text(event.servo_off));
+                     servo_mask_text(event.servo_off));
     }
     if (!event.sound.empty()) {
       fmt::format_to(out, "{:6} {:9.3f}  sound {}\n", event.tick, seconds, event.sound);
@@ -182,4 +173,4 @@ std::string trace_of(const PoseFlow& flow, const flow::Run& run, const flow::Run
   return text;
 }
 
-}  // namespace kinefile::cli
+}  // namespace kinefile

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "formats/csv/fields.hpp"
+#include "text/csv_fields.hpp"
 
 #include <algorithm>
 
 #include "text/numbers.hpp"
 
-namespace kinefile::csv {
+namespace kinefile::text {
 
-std::vector<Field> Fields::take_record() {
-  std::vector<Field> fields;
+std::vector<CsvField> CsvFields::take_record() {
+  std::vector<CsvField> fields;
   do {
     fields.push_back(take_field());
   } while (take_comma());
@@ -16,18 +16,18 @@ std::vector<Field> Fields::take_record() {
   return fields;
 }
 
-Field Fields::take_field() {
-  Field field{{}, next_};
+CsvField CsvFields::take_field() {
+  CsvField field{{}, next_};
   const bool is_quoted = next_ != end_ && *next_ == '"';
   if (is_quoted) take_quoted(field.text);
   const char* const first = next_;
-  while (next_ != end_ && *next_ != ',' && !text::is_line_end(*next_)) ++next_;
-  if (is_quoted && fault_ == nullptr && !std::all_of(first, next_, text::is_blank)) fault_ = first;
+  while (next_ != end_ && *next_ != ',' && !is_line_end(*next_)) ++next_;
+  if (is_quoted && fault_ == nullptr && !std::all_of(first, next_, is_blank)) fault_ = first;
   field.text.append(first, next_);
   return field;
 }
 
-void Fields::take_quoted(std::string& text) {
+void CsvFields::take_quoted(std::string& text) {
   const char* const opening = next_++;
   while (next_ != end_) {
     const char c = *next_++;
@@ -39,23 +39,23 @@ void Fields::take_quoted(std::string& text) {
   if (fault_ == nullptr) fault_ = opening;
 }
 
-std::optional<std::string_view> Fields::take_plain() {
+std::optional<std::string_view> CsvFields::take_plain() {
   if (next_ != end_ && *next_ == '"') return std::nullopt;
   const char* first = next_;
-  while (next_ != end_ && *next_ != ',' && !text::is_line_end(*next_)) ++next_;
+  while (next_ != end_ && *next_ != ',' && !is_line_end(*next_)) ++next_;
   const char* last = next_;
-  while (first != last && text::is_blank(*first)) ++first;
-  while (last != first && text::is_blank(last[-1])) --last;
+  while (first != last && is_blank(*first)) ++first;
+  while (last != first && is_blank(last[-1])) --last;
   return std::string_view(first, static_cast<std::size_t>(last - first));
 }
 
-bool Fields::take_comma() {
+bool CsvFields::take_comma() {
   const bool is_next = next_ != end_ && *next_ == ',';
   next_ += is_next;
   return is_next;
 }
 
-bool Fields::take_line_end() {
+bool CsvFields::take_line_end() {
   if (next_ == end_) return true;
   const bool has_return = *next_ == '\r';
   next_ += has_return;
@@ -64,4 +64,4 @@ bool Fields::take_line_end() {
   return has_return || has_feed;
 }
 
-}  // namespace kinefile::csv
+}  // namespace kinefile::text

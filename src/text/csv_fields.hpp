@@ -6,26 +6,26 @@
 #include <string_view>
 #include <vector>
 
-namespace kinefile::csv {
+namespace kinefile::text {
 
 /// A field of a table: its text without quotes, and where it starts.
-struct Field {
+struct CsvField {
   std::string text;
   const char* at = nullptr;
 };
 
 /// Goes over a table, field by field, as RFC 4180 has it. Lines end with LF, CRLF or CR.
-class Fields {
+class CsvFields {
  public:
-  explicit Fields(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
+  explicit CsvFields(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
 
   bool is_at_end() const { return next_ == end_; }
   const char* position() const { return next_; }
 
   /// Takes the fields of one record, which may hold line ends in quotes.
-  std::vector<Field> take_record();
+  std::vector<CsvField> take_record();
   /// Takes one field and leaves what separates it.
-  Field take_field();
+  CsvField take_field();
   /// The text of a field without quotes and without blanks around it, without a copy; null where
   /// there are quotes.
   std::optional<std::string_view> take_plain();
@@ -46,4 +46,4 @@ class Fields {
   const char* fault_ = nullptr;
 };
 
-}  // namespace kinefile::csv
+}  // namespace kinefile::text

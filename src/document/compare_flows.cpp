@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "diff_flows.hpp"
-
 #include <fmt/format.h>
 
-#include "flow_words.hpp"
-#include "report.hpp"
+#include <algorithm>
+#include <utility>
 
-namespace kinefile::cli {
+#include "document/compare.hpp"
+#include "model/slider_words.hpp"
+
+namespace kinefile {
 namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -21,7 +22,7 @@ void add_settings(Settings& settings, const PoseBlock& pose) {
     settings.emplace_back(fmt::format("s{}", s), word_text(pose.words[s]));
   }
   settings.emplace_back("sound", fmt::format("'{}'", pose.sound));
-  settings.emplace_back("servo_off", mask_text(pose.servo_off));
+  settings.emplace_back("servo_off", servo_mask_text(pose.servo_off));
 }
 
 void add_settings(Settings& settings, const ArithmeticBlock& sum) {
@@ -68,7 +69,7 @@ void compare_blocks(std::size_t number, const Settings& first, const Settings& s
 
 }  // namespace
 
-std::vector<FlowDifference> compare_flows(const PoseFlow& first, const PoseFlow& second) {
+Comparison compare_flows(const PoseFlow& first, const PoseFlow& second) {
   std::vector<FlowDifference> differences;
   const auto of_whole = [&](const char* what, const std::string& a, const std::string& b) {
     if (a != b) differences.push_back({std::nullopt, what, a, b});
@@ -90,29 +91,8 @@ std::vector<FlowDifference> compare_flows(const PoseFlow& first, const PoseFlow&
       differences.push_back({i, "kind", "", std::string(body_name(second.blocks[i]))});
     }
   }
-  return differences;
+  const bool is_different = !differences.empty();
+  return {FlowComparison{std::move(differences)}, is_different};
 }
 
-void print_text(const std::vector<FlowDifference>& differences) {
-  const auto shown = [](const std::string& value) { return value.empty() ? "nothing" : value; };
-  for (const FlowDifference& difference : differences) {
-    const std::string where =
-        difference.block ? fmt::format("block {}", *difference.block) : std::string("flow");
-    print_data(fmt::format("{:<12}{:<10}{} and {}\n", where, difference.what,
-                           shown(difference.first), shown(difference.second)));
-  }
-  print_data(differences.empty() ? "the flows agree\n" : "the flows differ\n");
-}
-
-Json json_of(const std::vector<FlowDifference>& differences) {
-  Json list = Json::array();
-  for (const FlowDifference& difference : differences) {
-    list.push_back({{"block", difference.block ? Json(*difference.block) : Json()},
-                    {"what", difference.what},
-                    {"first", difference.first},
-                    {"second", difference.second}});
-  }
-  return {{"is_different", !differences.empty()}, {"differences", list}};
-}
-
-}  // namespace kinefile::cli
+}  // namespace kinefile

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "command.hpp"
+
+namespace kinefile::cli {
+
+/// The skeleton or robot that `--skeleton` names, read when it is needed; null if it names none.
+/// \param reading  outlives the source
+inline DocumentSource source_of_skeleton(const Reading& reading) {
+  if (reading.skeleton.empty()) return {};
+  return [&reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
+    auto loaded = load_skeleton(reading, diagnostics);
+    if (!loaded) return fail(std::move(loaded.error()));
+    return std::make_shared<const Document>(std::move(**loaded));
+  };
+}
+
+}  // namespace kinefile::cli

@@ -61,10 +61,7 @@ Result<void> write_asf(const Document& document, const WriteOptions& options, co
       !taken) {
     return taken;
   }
-  // As the companion of a motion it says nothing of it, and loses nothing.
-  const bool loses_motion =
-      std::holds_alternative<Motion>(document.content) && !options.is_companion;
-  if (loses_motion) {
+  if (std::holds_alternative<Motion>(document.content)) {
     diagnostics.add(Severity::Warning, code::kMotionLeftOut,
                     "ASF holds the skeleton alone; the motion is left out, which AMC holds");
   }

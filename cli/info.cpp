@@ -82,21 +82,13 @@ std::size_t joints_with(const Skeleton& skeleton, DofKind kind) {
       }));
 }
 
-std::string extra(const Document& document, const std::string& key) {
-  const auto found = document.extras.file.find(key);
-  return found == document.extras.file.end() ? "" : found->second;
-}
-
 /// How the file is written, in the words of its format.
 std::string dialect_of(const Document& document) {
-  std::string text =
-      fmt::format("{}, line ends {}", extra(document, "encoding"), extra(document, "line_end"));
-  const std::string positions = extra(document, "positions");
-  if (!positions.empty()) {
-    text += fmt::format(", positions {} OFFSET", positions == "add" ? "added to" : "replace");
+  std::string text;
+  for (const Fact& fact : facts_of(document)) {
+    if (!fact.words.empty()) text += (text.empty() ? "" : ", ") + fact.words;
   }
-  const std::string skeleton = extra(document, "skeleton");
-  return skeleton.empty() ? text : text + fmt::format(", skeleton {}", skeleton);
+  return text;
 }
 
 std::string box_text(const Box& box) {
@@ -106,11 +98,10 @@ std::string box_text(const Box& box) {
 }
 
 /// What the components of a body motion are called in the file format, and their sizes.
-std::string component_text(const Component& component) {
+std::string component_text(const Document& document, const Component& component) {
   if (component.kind == ComponentKind::Other) {
-    const auto type = component.extras.find("type");
-    return fmt::format("{}, kept as it stands",
-                       type == component.extras.end() ? "of unknown type" : type->second);
+    const std::string type = component_type(document, component);
+    return fmt::format("{}, kept as it stands", type.empty() ? "of unknown type" : type);
   }
   constexpr std::string_view kParts[] = {"value", "pose", "vector"};
   const std::string_view part = kParts[static_cast<std::size_t>(component.kind)];
@@ -127,16 +118,9 @@ std::string component_text(const Component& component) {
 
 std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
-  std::string dialect = dialect_of(document);
-  if (document.extras.file.count("keys") > 0) {
-    const std::string version = extra(document, "version");
-    dialect = fmt::format("format version {}, {}, {} style, {}",
-                          version.empty() ? "1 (not said)" : version, extra(document, "keys"),
-                          extra(document, "style"), dialect);
-  }
-  text += fmt::format("  {:<12}{}\n", "dialect", dialect);
+  text += fmt::format("  {:<12}{}\n", "dialect", dialect_of(document));
   for (const Component& component : motion.components) {
-    text += fmt::format("  {:<12}{}\n", "component", component_text(component));
+    text += fmt::format("  {:<12}{}\n", "component", component_text(document, component));
   }
   return text;
 }
@@ -194,17 +178,16 @@ Json box_json(const Box& box) {
           {"max", {box.max.x(), box.max.y(), box.max.z()}}};
 }
 
-std::string type_of(const Component& component) {
+std::string type_of(const Document& document, const Component& component) {
   constexpr const char* kTypes[] = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq"};
   if (component.kind != ComponentKind::Other) {
     return kTypes[static_cast<std::size_t>(component.kind)];
   }
-  const auto type = component.extras.find("type");
-  return type == component.extras.end() ? "" : type->second;
+  return component_type(document, component);
 }
 
-Json json_of_component(const Component& component) {
-  Json json = {{"type", type_of(component)},
+Json json_of_component(const Document& document, const Component& component) {
+  Json json = {{"type", type_of(document, component)},
                {"content", component.content},
                {"num_parts", component.num_parts},
                {"num_frames", component.num_frames},
@@ -215,7 +198,7 @@ Json json_of_component(const Component& component) {
 }
 
 /// What a body motion has of length and rate: those of its main component.
-void add_body(Json& json, const BodyMotion& motion) {
+void add_body(Json& json, const Document& document, const BodyMotion& motion) {
   if (const Component* main = main_component(motion)) {
     json["num_frames"] = main->num_frames;
     json["frame_time"] = number(frame_time(main->timeline));
@@ -226,15 +209,15 @@ void add_body(Json& json, const BodyMotion& motion) {
   json["metres_per_unit"] = 1;
   json["components"] = Json::array();
   for (const Component& component : motion.components) {
-    json["components"].push_back(json_of_component(component));
+    json["components"].push_back(json_of_component(document, component));
   }
 }
 
 Json json_of_document(const std::string& path, const Document& document) {
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
-  for (const auto& [key, value] : document.extras.file) json[key] = value;
+  add_facts(json, document);
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
-    add_body(json, *motion);
+    add_body(json, document, *motion);
     return json;
   }
   const Skeleton& skeleton = skeleton_of(document);

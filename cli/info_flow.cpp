@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace kinefile::cli {
 namespace {
 
@@ -19,11 +21,6 @@ std::vector<std::pair<std::string_view, std::size_t>> counts_by_kind(const PoseF
     if (counts[kind] > 0) all.emplace_back(names[kind], counts[kind]);
   }
   return all;
-}
-
-std::string flow_extra(const Document& document, const std::string& key) {
-  const auto found = document.extras.file.find(key);
-  return found == document.extras.file.end() ? "" : found->second;
 }
 
 const Slider* slider_of(const RobotProject* project, std::size_t number) {
@@ -65,6 +62,12 @@ Json pose_json(const PoseBlock& pose, const RobotProject* project) {
 
 }  // namespace
 
+void add_facts(Json& json, const Document& document) {
+  std::vector<Fact> facts = facts_of(document);
+  std::sort(facts.begin(), facts.end(), [](const Fact& a, const Fact& b) { return a.key < b.key; });
+  for (Fact& fact : facts) json[fact.key] = std::move(fact.value);
+}
+
 std::string flow_text(const std::string& path, const Document& document) {
   const PoseFlow& flow = *std::get_if<PoseFlow>(&document.content);
   std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
@@ -72,9 +75,8 @@ std::string flow_text(const std::string& path, const Document& document) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
   std::string dialect(header_word(flow.format));
-  const std::string encoding = flow_extra(document, "encoding");
-  if (!encoding.empty()) {
-    dialect += fmt::format(", {}, line ends {}", encoding, flow_extra(document, "line_end"));
+  for (const Fact& fact : facts_of(document)) {
+    if (!fact.words.empty()) dialect += ", " + fact.words;
   }
   line("dialect", dialect);
   line("sliders", fmt::format("{}", flow.num_sliders));
@@ -90,7 +92,7 @@ Json flow_json(const std::string& path, const Document& document, bool with_pose
                const RobotProject* project) {
   const PoseFlow& flow = *std::get_if<PoseFlow>(&document.content);
   Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
-  for (const auto& [key, value] : document.extras.file) json[key] = value;
+  add_facts(json, document);
   json["flow_format"] = header_word(flow.format);
   json["num_sliders"] = flow.num_sliders;
   json["num_blocks"] = flow.blocks.size();

@@ -8,6 +8,9 @@
 
 namespace kinefile::cli {
 
+/// Adds what is known of a document's file, by key.
+void add_facts(Json& json, const Document& document);
+
 /// What a flow of poses holds, in words. Precondition: the document is one.
 std::string flow_text(const std::string& path, const Document& document);
 

@@ -124,6 +124,13 @@ using Sink = std::function<bool(std::string_view)>;
 /// Starts a file of a set, by what its name has behind the stem of the set: ".waist".
 using OpenPart = std::function<Result<Sink>(std::string_view extension)>;
 
+/// Something that a file says, or how it is written, which the model does not hold.
+struct Fact {
+  std::string key;    ///< "line_end"
+  std::string value;  ///< "lf"
+  std::string words;  ///< for people: "line ends lf"; empty where the value is none for a line
+};
+
 /// A file format: what it is called and how it is read and written.
 struct Format {
   std::string_view name;
@@ -149,6 +156,18 @@ struct Format {
 
   bool takes_skeleton = false;  ///< whether reading asks for `ReadOptions::skeleton`
 
+  /// Tells what is kept of the file that a document was read from, the most telling first; null:
+  /// nothing.
+  std::vector<Fact> (*facts)(const Document&) = nullptr;
+
+  /// The type of a component in the words of the file that it was read from; empty where nothing is
+  /// kept of that. Null where files do not say types.
+  std::string (*component_type)(const Component&) = nullptr;
+
+  /// Whether the file was read with position channels that are added to offsets, also where its
+  /// skeleton does not show it; null: they never are.
+  bool (*adds_positions)(const Document&) = nullptr;
+
   /// The options that mean something for reading and for writing this format, by the names of the
   /// command's flags without their dashes: an option that is in neither table of the formats at
   /// hand has no effect. Those of every format (lenient) are in none.
@@ -164,6 +183,13 @@ std::span<const Format> formats();
 inline bool is_written(const Format& format) {
   return format.write != nullptr || format.write_set != nullptr;
 }
+
+/// What is known of the file that a document was read from (see `Format::facts`).
+std::vector<Fact> facts_of(const Document& document);
+
+/// The type of a component in the words of the document's file; empty if nothing is known of it
+/// (see `Format::component_type`).
+std::string component_type(const Document& document, const Component& component);
 
 /// The format of this name, or null.
 const Format* find_format(std::string_view name);

@@ -136,7 +136,7 @@ Result<Document> on_skeleton_of(const Document& skeleton, Document document,
   auto moved = shape::onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
   if (!moved) return fail(std::move(moved.error()));
   document.content = std::move(*moved);
-  document.extras = skeleton.extras;
+  document.kept = skeleton.kept;
   return document;
 }
 

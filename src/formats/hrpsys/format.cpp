@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/files.hpp"
 #include "formats/hrpsys/codes.hpp"
 #include "formats/hrpsys/read.hpp"
 #include "text/printer.hpp"
@@ -90,6 +91,7 @@ Format format() {
   format.extensions = kParts;
   format.probe = nullptr;
   format.read = read;
+  format.facts = facts_of_layout;
   format.write_set = write_set;
   format.read_options = kReadOptions;
   format.write_options = kWriteOptions;

@@ -38,7 +38,7 @@ LAYERS = {
 
 # The layer that declares what a public header has.
 PUBLIC = {
-    "array": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
+    "array": "base", "kept": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model",
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",

@@ -162,30 +162,13 @@ ApplyOperation parse_append(const std::string* argument) {
   });
 }
 
-namespace {
-
-/// Leaves out what a format keeps of joints that are no more.
-void drop_extras(Document& document) {
-  std::map<std::string, std::map<std::string, std::string>> kept;
-  for (const Joint& joint : skeleton_of(document).joints) {
-    auto extras = document.extras.joints.extract(joint.name);
-    if (!extras.empty()) kept.insert(std::move(extras));
-  }
-  document.extras.joints = std::move(kept);
-}
-
-}  // namespace
-
 ApplyOperation parse_joints(const std::string* argument) {
   if (argument == nullptr || argument->empty()) return {};
   const auto names = words::split(*argument, ',');
-  return [names](Document& document, const OperationContext&,
-                 Diagnostics& diagnostics) -> Result<void> {
-    auto changed = change_motion(
-        document, [&](const Motion& motion) { return edit::joints(motion, names, diagnostics); });
-    if (changed) drop_extras(document);
-    return changed;
-  };
+  return on_motion(
+      [names](const Motion& motion, const OperationContext&, Diagnostics& diagnostics) {
+        return edit::joints(motion, names, diagnostics);
+      });
 }
 
 namespace {

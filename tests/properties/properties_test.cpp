@@ -92,7 +92,7 @@ TEST(Properties, WhatIsWrittenReadsTheSame) {
     ASSERT_EQ(first.diagnostics.count(Severity::Warning), 0u) << text_of(first.diagnostics);
     const std::string text = write_to_string(*first.document);
     ReadOptions options;
-    const bool is_added = first.document->extras.file.at("positions") == "add";
+    const bool is_added = fact_of(*first.document, "positions") == "add";
     options.positions = is_added ? PositionMode::Add : PositionMode::Replace;
     const ReadText second = read_bvh(text, options);
     EXPECT_TRUE(bits_agree(first.motion().clip.values, second.motion().clip.values));

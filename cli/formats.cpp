@@ -22,11 +22,11 @@ int run(bool is_json) {
     print_data(fmt::format("{:<12}{:<6}{:<24}{}\n", "FORMAT", "DOES", "NAMES", "WHAT IT IS"));
   for (const Format& format : formats()) {
     const bool is_read = format.read != nullptr;
-    const bool is_written = format.write != nullptr;
+    const bool has_writer = is_written(format);
     if (is_json) {
       all.push_back({{"name", format.name},
                      {"reads", is_read},
-                     {"writes", is_written},
+                     {"writes", has_writer},
                      {"extensions", format.extensions},
                      {"read_options", names_of(format.read_options)},
                      {"write_options", names_of(format.write_options)},
@@ -38,7 +38,7 @@ int run(bool is_json) {
       extensions += fmt::format("{}{}", extensions.empty() ? "" : " ", extension);
     }
     print_data(fmt::format("{:<12}{:<6}{:<24}{}\n", format.name,
-                           fmt::format("{}{}", is_read ? "r" : "-", is_written ? "w" : "-"),
+                           fmt::format("{}{}", is_read ? "r" : "-", has_writer ? "w" : "-"),
                            extensions, format.description));
   }
   if (is_json) print_json(all);

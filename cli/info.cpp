@@ -62,23 +62,6 @@ std::string order_text(const std::vector<RotationOrderInfo>& orders) {
   return text.empty() ? "none" : text;
 }
 
-std::string extra(const Document& document, const std::string& key) {
-  const auto found = document.extras.file.find(key);
-  return found == document.extras.file.end() ? "" : found->second;
-}
-
-/// How the file is written, in the words of its format.
-std::string dialect_of(const Document& document) {
-  std::string text =
-      fmt::format("{}, line ends {}", extra(document, "encoding"), extra(document, "line_end"));
-  const std::string positions = extra(document, "positions");
-  if (!positions.empty()) {
-    text += fmt::format(", positions {} OFFSET", positions == "add" ? "added to" : "replace");
-  }
-  const std::string skeleton = extra(document, "skeleton");
-  return skeleton.empty() ? text : text + fmt::format(", skeleton {}", skeleton);
-}
-
 std::string box_text(const Box& box) {
   if (box.min.x() > box.max.x()) return "nothing finite";
   return fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}", box.min.x(),
@@ -86,12 +69,9 @@ std::string box_text(const Box& box) {
 }
 
 /// What a component of a body motion is, in words.
-/// \param component  the same in the document
-std::string component_text(const ComponentInfo& info, const Component& component) {
+std::string component_text(const ComponentInfo& info) {
   if (info.kind == ComponentKind::Other) {
-    const auto type = component.extras.find("type");
-    return fmt::format("{}, kept as it stands",
-                       type == component.extras.end() ? "of unknown type" : type->second);
+    return fmt::format("{}, kept as it stands", info.type.empty() ? "of unknown type" : info.type);
   }
   constexpr std::string_view kParts[] = {"value", "pose", "vector"};
   const std::string_view part = kParts[static_cast<std::size_t>(info.kind)];
@@ -103,35 +83,20 @@ std::string component_text(const ComponentInfo& info, const Component& component
       info.is_root_relative ? ", relative to the root link" : "");
 }
 
-std::string text_of(const std::string& path, const BodyMotion& motion, const Document& document) {
-  std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
-  std::string dialect = dialect_of(document);
-  if (document.extras.file.count("keys") > 0) {
-    const std::string version = extra(document, "version");
-    dialect = fmt::format("format version {}, {}, {} style, {}",
-                          version.empty() ? "1 (not said)" : version, extra(document, "keys"),
-                          extra(document, "style"), dialect);
-  }
-  text += fmt::format("  {:<12}{}\n", "dialect", dialect);
-  const BodyInfo told = *info(document).body;
-  for (std::size_t c = 0; c < told.components.size(); ++c) {
-    text += fmt::format("  {:<12}{}\n", "component",
-                        component_text(told.components[c], motion.components[c]));
-  }
-  return text;
-}
-
 std::string text_of(const std::string& path, const Document& document) {
-  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
-    return text_of(path, *motion, document);
-  }
   const Info told = info(document);
-  const SkeletonInfo& skeleton = *told.skeleton;
-  std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
+  std::string text = fmt::format("{}: {} {}\n", path, told.format, told.kind);
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
-  line("dialect", dialect_of(document));
+  line("dialect", dialect_text(told.facts));
+  if (told.body) {
+    for (const ComponentInfo& component : told.body->components) {
+      line("component", component_text(component));
+    }
+    return text;
+  }
+  const SkeletonInfo& skeleton = *told.skeleton;
   line("joints", fmt::format("{} ({} {}, {} {})", skeleton.num_joints, skeleton.num_roots,
                              skeleton.num_roots == 1 ? "root" : "roots", skeleton.num_tips,
                              skeleton.num_tips == 1 ? "tip" : "tips"));
@@ -170,17 +135,14 @@ Json box_json(const Box& box) {
           {"max", {box.max.x(), box.max.y(), box.max.z()}}};
 }
 
-std::string type_of(const Component& component) {
+std::string type_of(const ComponentInfo& info) {
   constexpr const char* kTypes[] = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq"};
-  if (component.kind != ComponentKind::Other) {
-    return kTypes[static_cast<std::size_t>(component.kind)];
-  }
-  const auto type = component.extras.find("type");
-  return type == component.extras.end() ? "" : type->second;
+  return info.kind == ComponentKind::Other ? info.type
+                                           : kTypes[static_cast<std::size_t>(info.kind)];
 }
 
-Json json_of_component(const ComponentInfo& info, const Component& component) {
-  Json json = {{"type", type_of(component)},
+Json json_of_component(const ComponentInfo& info) {
+  Json json = {{"type", type_of(info)},
                {"content", info.content},
                {"num_parts", info.num_parts},
                {"num_frames", info.time.num_frames},
@@ -190,7 +152,7 @@ Json json_of_component(const ComponentInfo& info, const Component& component) {
 }
 
 /// What a body motion has of length and rate: those of its main component.
-void add_body(Json& json, const BodyInfo& info, const BodyMotion& motion) {
+void add_body(Json& json, const BodyInfo& info) {
   if (info.time) {
     json["num_frames"] = info.time->num_frames;
     json["frame_time"] = number(info.time->frame_time);
@@ -200,8 +162,8 @@ void add_body(Json& json, const BodyInfo& info, const BodyMotion& motion) {
   json["angle_unit"] = "radians";
   json["metres_per_unit"] = 1;
   json["components"] = Json::array();
-  for (std::size_t c = 0; c < info.components.size(); ++c) {
-    json["components"].push_back(json_of_component(info.components[c], motion.components[c]));
+  for (const ComponentInfo& component : info.components) {
+    json["components"].push_back(json_of_component(component));
   }
 }
 
@@ -226,11 +188,10 @@ Json joints_json(const Skeleton& skeleton) {
 }
 
 Json json_of_document(const std::string& path, const Document& document) {
-  Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
-  for (const auto& [key, value] : document.extras.file) json[key] = value;
   const Info told = info(document);
+  Json json = file_json(path, told);
   if (told.body) {
-    add_body(json, *told.body, *std::get_if<BodyMotion>(&document.content));
+    add_body(json, *told.body);
     return json;
   }
   const SkeletonInfo& skeleton = *told.skeleton;
@@ -250,13 +211,13 @@ Json json_of_document(const std::string& path, const Document& document) {
 void tell_flow(const std::string& name, const Document& document, const Options& options,
                Json& all) {
   const RobotProject* const project = options.reading.loaded_project.get();
-  const FlowInfo flow = *info(document, {options.has_poses, project}).flow;
+  const Info told = info(document, {options.has_poses, project});
   if (options.is_json) {
-    all.push_back(flow_json(name, document, flow, options.has_poses));
+    all.push_back(flow_json(name, told, options.has_poses));
     return;
   }
-  print_data(flow_text(name, document, flow));
-  if (options.has_poses) print_data(poses_text(flow.poses));
+  print_data(flow_text(name, told));
+  if (options.has_poses) print_data(poses_text(told.flow->poses));
 }
 
 int run(const Options& options, const Globals& globals) {

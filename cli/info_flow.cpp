@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace kinefile::cli {
 namespace {
-
-std::string flow_extra(const Document& document, const std::string& key) {
-  const auto found = document.extras.file.find(key);
-  return found == document.extras.file.end() ? "" : found->second;
-}
 
 std::string slider_text(const SliderInfo& slider) {
   if (slider.degrees) return fmt::format("{} {:.2f} deg", slider.name, *slider.degrees);
@@ -32,17 +30,30 @@ Json pose_json(const PoseInfo& pose) {
 
 }  // namespace
 
-std::string flow_text(const std::string& path, const Document& document, const FlowInfo& flow) {
-  std::string text = fmt::format("{}: {} {}\n", path, document.format, kind_name(document));
+std::string dialect_text(const std::vector<Fact>& facts) {
+  std::string text;
+  for (const Fact& fact : facts) {
+    if (!fact.words.empty()) text += (text.empty() ? "" : ", ") + fact.words;
+  }
+  return text;
+}
+
+Json file_json(const std::string& path, const Info& info) {
+  Json json = {{"file", path}, {"format", info.format}, {"kind", info.kind}};
+  std::vector<Fact> facts = info.facts;
+  std::sort(facts.begin(), facts.end(), [](const Fact& a, const Fact& b) { return a.key < b.key; });
+  for (Fact& fact : facts) json[fact.key] = std::move(fact.value);
+  return json;
+}
+
+std::string flow_text(const std::string& path, const Info& info) {
+  const FlowInfo& flow = *info.flow;
+  std::string text = fmt::format("{}: {} {}\n", path, info.format, info.kind);
   const auto line = [&text](std::string_view key, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", key, value);
   };
-  std::string dialect(header_word(flow.format));
-  const std::string encoding = flow_extra(document, "encoding");
-  if (!encoding.empty()) {
-    dialect += fmt::format(", {}, line ends {}", encoding, flow_extra(document, "line_end"));
-  }
-  line("dialect", dialect);
+  const std::string dialect = dialect_text(info.facts);
+  line("dialect", std::string(header_word(flow.format)) + (dialect.empty() ? "" : ", ") + dialect);
   line("sliders", fmt::format("{}", flow.num_sliders));
   std::string kinds;
   for (const BlockCount& count : flow.blocks) {
@@ -52,10 +63,9 @@ std::string flow_text(const std::string& path, const Document& document, const F
   return text;
 }
 
-Json flow_json(const std::string& path, const Document& document, const FlowInfo& flow,
-               bool with_poses) {
-  Json json = {{"file", path}, {"format", document.format}, {"kind", kind_name(document)}};
-  for (const auto& [key, value] : document.extras.file) json[key] = value;
+Json flow_json(const std::string& path, const Info& info, bool with_poses) {
+  const FlowInfo& flow = *info.flow;
+  Json json = file_json(path, info);
   json["flow_format"] = header_word(flow.format);
   json["num_sliders"] = flow.num_sliders;
   json["num_blocks"] = flow.num_blocks;

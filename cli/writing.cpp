@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> writable_formats() {
   std::vector<std::string> names;
   for (const Format& format : formats()) {
-    if (format.write != nullptr) names.emplace_back(format.name);
+    if (is_written(format)) names.emplace_back(format.name);
   }
   return names;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "checks.hpp"
+#include "formats/choreonoid/bind.hpp"
 #include "kinefile/choreonoid.hpp"
 
 namespace {
@@ -13,15 +14,22 @@ namespace {
 using namespace kinefile;
 using namespace kinefile::fuzz;
 
-std::string kept(const std::map<std::string, std::string>& extras, const char* key) {
-  const auto found = extras.find(key);
-  return found == extras.end() ? "" : found->second;
+const choreonoid::KeptComponent& kept_of(const Component& component) {
+  const auto* const kept = component.kept.get<choreonoid::KeptComponent>();
+  require(kept != nullptr);
+  return *kept;
+}
+
+const choreonoid::KeptFile& kept_of(const Document& document) {
+  const auto* const kept = document.kept.get<choreonoid::KeptFile>();
+  require(kept != nullptr);
+  return *kept;
 }
 
 void require_same(const Component& a, const Component& b, bool is_json) {
   require(a.kind == b.kind);
   if (a.kind == ComponentKind::Other) {
-    require(is_json || kept(a.extras, "text") == kept(b.extras, "text"));
+    require(is_json || kept_of(a).text == kept_of(b).text);
     return;
   }
   require(a.content == b.content);
@@ -31,7 +39,7 @@ void require_same(const Component& a, const Component& b, bool is_json) {
   require(same_values(own_times(a.timeline), own_times(b.timeline)));
   require(frame_rate(a.timeline) == frame_rate(b.timeline));
   // JSON has words of its own for what other YAML says.
-  require(is_json || kept(a.extras, "unknown_keys") == kept(b.extras, "unknown_keys"));
+  require(is_json || kept_of(a).unknown_keys == kept_of(b).unknown_keys);
 }
 
 void check_round_trip(const Document& document, const ReadOptions& options,
@@ -43,17 +51,15 @@ void check_round_trip(const Document& document, const ReadOptions& options,
   require(again.has_value());
   // JSON's keys are words alone; others may become the same one.
   if (diagnostics.count_of("YML009", Severity::Warning) > 0) {
-    require(style == choreonoid::YamlStyle::Json || kept(document.extras.file, "style") == "json");
+    require(style == choreonoid::YamlStyle::Json || kept_of(document).is_json);
     return;
   }
   const auto& first = std::get<BodyMotion>(document.content).components;
   const auto& second = std::get<BodyMotion>(again->content).components;
   require(first.size() == second.size());
-  const bool is_json =
-      style == choreonoid::YamlStyle::Json || kept(document.extras.file, "style") == "json";
+  const bool is_json = style == choreonoid::YamlStyle::Json || kept_of(document).is_json;
   for (std::size_t i = 0; i < first.size(); ++i) require_same(first[i], second[i], is_json);
-  require(is_json ||
-          kept(document.extras.file, "unknown_keys") == kept(again->extras.file, "unknown_keys"));
+  require(is_json || kept_of(document).unknown_keys == kept_of(*again).unknown_keys);
   require(written(*again, "choreonoid", to) == text);
 }
 

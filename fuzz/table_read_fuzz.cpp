@@ -2,6 +2,8 @@
 // Any bytes as a CSV table or as an hrpsys set: no crash, no hang, and either components or errors
 // with places; components that are written and read again are the same numbers.
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "checks.hpp"
@@ -38,11 +40,11 @@ void read_set(std::string_view bytes, ReadOptions options) {
   check_reading(document, diagnostics);
   if (!document) return;
   check_document(*document);
-  for (const std::string_view part : kParts) {
-    if (find_format("hrpsys")->has_part(*document, part)) {
-      written(*document, "hrpsys", {.part = std::string(part)});
-    }
-  }
+  const auto open = [](std::string_view part) -> Result<Sink> {
+    require(std::find(std::begin(kParts), std::end(kParts), part) != std::end(kParts));
+    return Sink([](std::string_view) { return true; });
+  };
+  require(find_format("hrpsys")->write_set(*document, {}, open, diagnostics).has_value());
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ LAYERS = {
 
 # The layer that declares what a public header has.
 PUBLIC = {
-    "array": "base", "option": "base", "diagnostics": "base", "result": "base", "version": "base", "math": "math",
+    "array": "base", "kept": "base", "option": "base",
+     "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "skeleton": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "bvh": "model", "choreonoid": "model", "csv": "model",
     "robovie": "model",

@@ -3,13 +3,13 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "kinefile/array.hpp"
+#include "kinefile/kept.hpp"
 #include "kinefile/timeline.hpp"
 
 #pragma GCC visibility push(default)
@@ -52,7 +52,7 @@ struct Component {
   std::size_t num_frames = 0;
   Array<double> values;  ///< [frame][part][width], exactly as read
   Timeline timeline;
-  std::map<std::string, std::string> extras;  ///< words for its format alone, by key
+  Kept kept;  ///< what its format keeps of it beyond the model
 
   /// The numbers of one part: 1, 7 or 6 for a pose, 3.
   std::size_t width() const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 #include <variant>
 
 #include "kinefile/body_motion.hpp"
+#include "kinefile/kept.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/pose_flow.hpp"
 #include "kinefile/result.hpp"
@@ -14,18 +14,11 @@
 
 namespace kinefile {
 
-/// What a format keeps beyond the model and needs to write the same file again, without the
-/// numbers: words for that format alone, by key. Another format leaves them out.
-struct Extras {
-  std::map<std::string, std::string> file;                           ///< key to value
-  std::map<std::string, std::map<std::string, std::string>> joints;  ///< joint name, key to value
-};
-
 /// The content of a file: one of the kinds of the model.
 struct Document {
   std::variant<Motion, Skeleton, BodyMotion, PoseFlow> content;
   std::string format;  ///< the name of the format that it was read from, "bvh"
-  Extras extras;
+  Kept kept;           ///< what its format keeps of the file; see also `Joint::kept`
 };
 
 /// The word for what a document holds: "motion", "skeleton", "body_motion" or "pose_flow".

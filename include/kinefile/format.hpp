@@ -71,8 +71,6 @@ struct WriteOptions {
       std::nullopt;              ///< digits after the point; absent: the shortest exact form
   bool writes_companion = true;  ///< whether `write_file` writes the companion, too
   std::string companion = {};    ///< its name, for the file to tell it
-  std::string part = {};         ///< of a set of files: the extension of the one to write
-  bool is_companion = false;     ///< this is one: what it leaves out, the other file has
   /// Of a flow's table: the robot's project, with which words are degrees.
   std::shared_ptr<const RobotProject> project = nullptr;
   FormatOptions of_formats =
@@ -103,6 +101,16 @@ struct Conventions {
 /// Takes the next piece of the output; returns false to stop.
 using Sink = std::function<bool(std::string_view)>;
 
+/// Starts a file of a set, by what its name has behind the stem of the set: ".waist".
+using OpenPart = std::function<Result<Sink>(std::string_view extension)>;
+
+/// Something that a file says, or how it is written, which the model does not hold.
+struct Fact {
+  std::string key;    ///< "line_end"
+  std::string value;  ///< "lf"
+  std::string words;  ///< for people: "line ends lf"; empty where the value is none for a line
+};
+
 /// A file format: what it is called and how it is read and written.
 struct Format {
   std::string_view name;
@@ -118,14 +126,27 @@ struct Format {
   /// `diagnostics`, and the first of them is returned.
   Result<Document> (*read)(std::string_view bytes, const ReadOptions&, Diagnostics&) = nullptr;
 
-  /// Writes a document; null where the format is only read.
+  /// Writes a document; null where the format is only read, and where it is a set of files.
   Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&) = nullptr;
+
+  /// Of a format that is a set of files of one stem, one an extension: writes those for which a
+  /// document has something, each once it is started; null for all other formats.
+  Result<void> (*write_set)(const Document&, const WriteOptions&, const OpenPart&,
+                            Diagnostics&) = nullptr;
 
   bool takes_skeleton = false;  ///< whether reading asks for `ReadOptions::skeleton`
 
-  /// Of a format that is a set of files of one stem, one an extension: whether a document has
-  /// something for the one with this extension. `write` is called for each (`WriteOptions::part`).
-  bool (*has_part)(const Document&, std::string_view extension) = nullptr;
+  /// Tells what is kept of the file that a document was read from, the most telling first; null:
+  /// nothing.
+  std::vector<Fact> (*facts)(const Document&) = nullptr;
+
+  /// The type of a component in the words of the file that it was read from; empty where nothing is
+  /// kept of that. Null where files do not say types.
+  std::string (*component_type)(const Component&) = nullptr;
+
+  /// Whether the file was read with position channels that are added to offsets, also where its
+  /// skeleton does not show it; null: they never are.
+  bool (*adds_positions)(const Document&) = nullptr;
 
   /// The options that mean something for reading and for writing this format: what is in neither
   /// table of the formats at hand has no effect. What every format takes (lenient) is in none.
@@ -136,6 +157,18 @@ struct Format {
 
 /// Every format, in the order in which they are probed and listed.
 std::span<const Format> formats();
+
+/// Whether documents can be written in a format.
+inline bool is_written(const Format& format) {
+  return format.write != nullptr || format.write_set != nullptr;
+}
+
+/// What is known of the file that a document was read from (see `Format::facts`).
+std::vector<Fact> facts_of(const Document& document);
+
+/// The type of a component in the words of the document's file; empty if nothing is known of it
+/// (see `Format::component_type`).
+std::string component_type(const Document& document, const Component& component);
 
 /// The format of this name, or null.
 const Format* find_format(std::string_view name);

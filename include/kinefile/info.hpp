@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/format.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/robot_project.hpp"
 
@@ -57,6 +58,7 @@ struct MotionInfo {
 struct ComponentInfo {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
+  std::string type;  ///< in the words of its file (see `component_type`); may be empty
   std::size_t num_parts = 0;
   bool is_root_relative = false;
   TimeInfo time;
@@ -103,8 +105,9 @@ struct FlowInfo {
 /// What a document holds. Of the optional members those are there that its kind has: of a motion
 /// `skeleton` and `motion`.
 struct Info {
-  std::string format;     ///< the name of the format that it was read from
-  std::string_view kind;  ///< see `kind_name`
+  std::string format;       ///< the name of the format that it was read from
+  std::string_view kind;    ///< see `kind_name`
+  std::vector<Fact> facts;  ///< of the file that it was read from (see `facts_of`)
   std::optional<SkeletonInfo> skeleton;
   std::optional<MotionInfo> motion;
   std::optional<BodyInfo> body;

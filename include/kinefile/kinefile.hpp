@@ -24,6 +24,7 @@
 #include "kinefile/io.hpp"
 #include "kinefile/joint_map.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinefile/kept.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/limits.hpp"
 #include "kinefile/math.hpp"

@@ -83,9 +83,8 @@ Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion
 
 /// What joints of figures and links of robots are called, so that they can be matched.
 struct RobotNames {
-  std::map<std::string, std::string> joint_of_link;  ///< names of a robot's joints, by their links
-  std::map<std::string, std::string> source_of;      ///< a link or joint of the robot to the joint
-                                                     ///< of the figure that it follows
+  std::map<std::string, std::string> source_of;  ///< a link or joint of the robot to the joint of
+                                                 ///< the figure that it follows
 };
 
 /// Puts a motion on a robot: each link follows the joint of its name, of its joint's name, or that

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/kept.hpp"
 #include "kinefile/math.hpp"
 #include "kinefile/result.hpp"
 
@@ -58,12 +59,15 @@ struct Tip {
 /// Column vectors, right-handed; lengths in the skeleton's own unit.
 struct Joint {
   std::string name;
+  std::string joint_name;  ///< of a robot's link: what the joint is called that moves it, or empty
   std::size_t parent = kNoParent;  ///< an index below the joint's own, or kNoParent for a root
   Vec3 offset = Vec3::Zero();      ///< in the parent's frame
   Quat rest_rotation = Quat::Identity();
   std::vector<DegreeOfFreedom> dofs;  ///< in the order of multiplication
   std::vector<Tip> tips;
   std::array<double, 7> free_rest = {0, 0, 0, 1, 0, 0, 0};  ///< where it rests if it moves freely
+  /// What its format keeps of it beyond the model. Whoever copies the joint copies it, too.
+  Kept kept;
 };
 
 /// What one column of a clip is called: the channel of a joint in the words of its format

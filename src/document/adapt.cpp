@@ -112,13 +112,11 @@ bool are_written_alike(const Format& format, const Document& a, const Document& 
   const auto written = [&format](const Document& document) -> std::optional<std::string> {
     std::string text;
     Diagnostics ignored;
-    WriteOptions options;
-    options.is_companion = true;
     const Sink sink = [&text](std::string_view piece) {
       text += piece;
       return true;
     };
-    if (!format.write || !format.write(document, options, sink, ignored)) return std::nullopt;
+    if (!format.write || !format.write(document, {}, sink, ignored)) return std::nullopt;
     std::erase(text, '\r');  // line ends are no difference
     return text;
   };
@@ -138,7 +136,7 @@ Result<Document> on_skeleton_of(const Document& skeleton, Document document,
   auto moved = shape::onto_skeleton(*motion, skeleton_of(skeleton), diagnostics);
   if (!moved) return fail(std::move(moved.error()));
   document.content = std::move(*moved);
-  document.extras = skeleton.extras;
+  document.kept = skeleton.kept;
   return document;
 }
 

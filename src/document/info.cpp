@@ -70,10 +70,11 @@ TimeInfo info_of(const Timeline& timeline, std::size_t num_frames) {
   return told;
 }
 
-BodyInfo info_of(const BodyMotion& body) {
+BodyInfo info_of(const BodyMotion& body, const Document& document) {
   BodyInfo told;
   for (const Component& component : body.components) {
-    told.components.push_back({component.kind, component.content, component.num_parts,
+    told.components.push_back({component.kind, component.content,
+                               component_type(document, component), component.num_parts,
                                component.is_root_relative,
                                info_of(component.timeline, component.num_frames)});
   }
@@ -132,13 +133,14 @@ Info info(const Document& document, const InfoOptions& options) {
   Info told;
   told.format = document.format;
   told.kind = kind_name(document);
+  told.facts = facts_of(document);
   if (has_skeleton(document)) told.skeleton = info_of(skeleton_of(document));
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
     told.motion = {info_of(motion->clip.timeline, motion->clip.num_frames),
                    world_extent(motion->skeleton, motion->clip)};
   }
   if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    told.body = info_of(*body);
+    told.body = info_of(*body, document);
   }
   if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
     told.flow = info_of(*flow, options);

@@ -78,10 +78,6 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
 robot::RobotNames names_of(const KindOptions& options) {
   robot::RobotNames names;
   names.source_of = options.joint_map;
-  for (const auto& [link, words] : options.model->extras.joints) {
-    const auto joint = words.find("joint_name");
-    if (joint != words.end()) names.joint_of_link[link] = joint->second;
-  }
   return names;
 }
 
@@ -96,10 +92,9 @@ Result<void> expect_known(const robot::RobotNames& names, const Skeleton& figure
                           const Skeleton& robot) {
   for (const auto& [name, source] : names.source_of) {
     const bool is_link =
-        std::any_of(robot.joints.begin(), robot.joints.end(),
-                    [&key = name](const Joint& joint) { return joint.name == key; }) ||
-        std::any_of(names.joint_of_link.begin(), names.joint_of_link.end(),
-                    [&key = name](const auto& entry) { return entry.second == key; });
+        std::any_of(robot.joints.begin(), robot.joints.end(), [&key = name](const Joint& joint) {
+          return joint.name == key || (!joint.joint_name.empty() && joint.joint_name == key);
+        });
     if (is_link && has_joint(figure, source)) continue;
     return fail(ErrorKind::Usage, "CNV007",
                 fmt::format("the line '{}: {}' of the map has no effect: there is no {} '{}'", name,
@@ -228,7 +223,6 @@ Result<Document> as_columns(Document document, const BodyMotion& body, const Ske
                             Diagnostics& diagnostics) {
   const BodyMotion named = robot == nullptr ? body : with_names_of(body, *robot);
   document.content = robot::motion_of_components(named, diagnostics);
-  document.extras = {};
   document.format.clear();
   return document;
 }
@@ -299,7 +293,6 @@ Result<Document> body_for(const Conventions& conventions, Document document,
     document.content = std::move(body);
     return document;
   }
-  document.extras = {};
   document.format.clear();
   auto motion = motion_of(body, options, diagnostics);
   if (!motion) return fail(std::move(motion.error()));

@@ -187,23 +187,9 @@ struct Joints {
   std::vector<std::string> names;
 };
 
-/// Leaves out what a format keeps of joints that are no more.
-void drop_extras(Document& document) {
-  std::map<std::string, std::map<std::string, std::string>> kept;
-  for (const Joint& joint : skeleton_of(document).joints) {
-    auto extras = document.extras.joints.extract(joint.name);
-    if (!extras.empty()) kept.insert(std::move(extras));
-  }
-  document.extras.joints = std::move(kept);
-}
-
-Result<void> keep_joints(Document& document, const Joints& joints, const OperationContext&,
-                         Diagnostics& diagnostics) {
-  auto changed = change_motion(document, [&](const Motion& motion) {
-    return edit::joints(motion, joints.names, diagnostics);
-  });
-  if (changed) drop_extras(document);
-  return changed;
+Result<Motion> keep_joints(Motion motion, const Joints& joints, const OperationContext&,
+                           Diagnostics& diagnostics) {
+  return edit::joints(motion, joints.names, diagnostics);
 }
 
 constexpr std::array<Parameter, 1> kJoints = {
@@ -371,7 +357,7 @@ OperationInfo joints() {
   return {.name = "joints",
           .help = "Some joints alone, and those above them",
           .needs_motion = false,
-          .form = form<Joints, keep_joints>(kJoints)};
+          .form = motion_form<Joints, keep_joints>(kJoints)};
 }
 
 OperationInfo rename() {

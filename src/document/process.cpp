@@ -55,8 +55,9 @@ Result<Document> on_named_skeleton(Document document, const Format& format,
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
                        WriteOptions& options, Diagnostics& diagnostics) {
   shape::ChannelOptions channels = adapting.channels;
-  const auto kept = document.extras.file.find("positions");
-  channels.adds_positions = kept != document.extras.file.end() && kept->second == "add";
+  const Format* const from = find_format(document.format);
+  const bool knows_positions = from != nullptr && from->adds_positions != nullptr;
+  channels.adds_positions = knows_positions && from->adds_positions(document);
   const bool was_body = std::holds_alternative<BodyMotion>(document.content);
   auto made = in_wanted_kind(std::move(document), format, adapting, diagnostics);
   std::shared_ptr<const Document> skeleton;

@@ -153,11 +153,6 @@ Result<void> rename(Document& document, const std::string& old_name, const std::
   for (Joint& joint : skeleton.joints) {
     if (joint.name == old_name) joint.name = new_name;
   }
-  auto kept = document.extras.joints.extract(old_name);
-  if (!kept.empty()) {
-    kept.key() = new_name;
-    document.extras.joints.insert(std::move(kept));
-  }
   return {};
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "kinefile/format.hpp"
+#include "text/decode.hpp"
+#include "text/source.hpp"
 
 namespace kinefile {
 
@@ -33,10 +37,36 @@ inline Result<void> expect_kind(const Document& document, const Kinds& kinds,
   return validate(document);
 }
 
-/// The line end that a document's file had, "\n" or "\r\n"; "\n" where nothing is kept of it.
-inline std::string_view kept_line_end(const Extras& extras) {
-  const auto kept = extras.file.find("line_end");
-  return kept != extras.file.end() && kept->second == "crlf" ? "\r\n" : "\n";
+/// How the text of a file was encoded and what its lines ended with.
+struct TextLayout {
+  std::string encoding = {};         ///< in words: "utf-8 with BOM"
+  std::string_view line_end = "lf";  ///< "lf", "crlf" or "cr"
+};
+
+/// \param view  of the text, without what stands behind its end
+inline TextLayout layout_of(const text::DecodedText& decoded, std::string_view view) {
+  return {decoded.description(), text::line_end_of(view)};
+}
+
+inline TextLayout layout_of(const text::DecodedText& decoded) {
+  return layout_of(decoded, decoded.view());
+}
+
+/// The characters that are written for it: "\r\n" or "\n".
+inline std::string_view line_end_of(const TextLayout& layout) {
+  return layout.line_end == "crlf" ? "\r\n" : "\n";
+}
+
+inline std::vector<Fact> facts_of(const TextLayout& layout) {
+  const std::string line_end(layout.line_end);
+  return {{"encoding", layout.encoding, layout.encoding},
+          {"line_end", line_end, "line ends " + line_end}};
+}
+
+/// `Format::facts` of a format whose documents keep a `TextLayout` and no more.
+inline std::vector<Fact> facts_of_layout(const Document& document) {
+  const TextLayout* const kept = document.kept.get<TextLayout>();
+  return kept == nullptr ? std::vector<Fact>() : facts_of(*kept);
 }
 
 }  // namespace kinefile

@@ -44,6 +44,18 @@ const Format* find_format(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::vector<Fact> facts_of(const Document& document) {
+  const Format* const format = find_format(document.format);
+  const bool tells = format != nullptr && format->facts != nullptr;
+  return tells ? format->facts(document) : std::vector<Fact>();
+}
+
+std::string component_type(const Document& document, const Component& component) {
+  const Format* const format = find_format(document.format);
+  const bool tells = format != nullptr && format->component_type != nullptr;
+  return tells ? format->component_type(component) : std::string();
+}
+
 const Format* format_of_name(std::string_view file_name) {
   const std::string lower = lowered(file_name);
   for (const Format& format : formats()) {

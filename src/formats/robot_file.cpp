@@ -162,6 +162,7 @@ std::optional<Vec3> axis_of(const Link& link, const Codes& codes, Diagnostics& d
 Joint joint_of(const Link& link, bool is_root) {
   Joint joint;
   joint.name = link.name;
+  joint.joint_name = link.joint_name;
   if (!is_root) {
     joint.offset = link.translation;
     joint.rest_rotation = link.rotation;
@@ -229,6 +230,19 @@ Quat rotation_about(const Vec3& axis, double angle) {
   return Quat(std::cos(angle / 2), v.x(), v.y(), v.z()).normalized();
 }
 
+void keep_layout(Document& document, const TextLayout& text) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  document.kept = Kept(KeptFile{text, kept == nullptr ? 0 : kept->num_joint_ids});
+}
+
+std::vector<Fact> facts(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  if (kept == nullptr) return {};
+  std::vector<Fact> all = facts_of(kept->text);
+  all.push_back({"name", skeleton_of(document).name, {}});
+  return all;
+}
+
 std::optional<Document> document_of(const Robot& robot, std::string_view format, const Codes& codes,
                                     Diagnostics& diagnostics) {
   if (robot.links.size() > kMostLinks) {
@@ -263,14 +277,10 @@ std::optional<Document> document_of(const Robot& robot, std::string_view format,
       if (axis && column) joint.dofs.push_back(dof_of(link, *axis, *column));
     }
     skeleton.joints.push_back(std::move(joint));
-    auto& words = document.extras.joints[link.name];
-    if (!link.joint_name.empty()) words["joint_name"] = link.joint_name;
-    if (link.joint_id) words["joint_id"] = std::to_string(*link.joint_id);
   }
   if (!is_good) return std::nullopt;
   document.format = format;
-  document.extras.file["name"] = robot.name;
-  document.extras.file["num_joints"] = std::to_string(*num_ids);
+  document.kept = Kept(KeptFile{{}, *num_ids});
   document.content = std::move(skeleton);
   return document;
 }
@@ -285,8 +295,7 @@ Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Di
   auto document =
       robot ? document_of(*robot, format, codes, diagnostics) : std::optional<Document>();
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  document->extras.file["encoding"] = decoded->description();
-  document->extras.file["line_end"] = text::line_end_of(decoded->view());
+  keep_layout(*document, layout_of(*decoded));
   return std::move(*document);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/files.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/format.hpp"
@@ -82,6 +83,18 @@ std::optional<Vec3> unit_of(const Vec3& vector);
 /// A rotation about an axis, which is zero for none.
 /// \param angle  in radians
 Quat rotation_about(const Vec3& axis, double angle);
+
+/// What a document keeps of a robot's file.
+struct KeptFile {
+  TextLayout text;
+  std::size_t num_joint_ids = 0;  ///< the columns of joint ids, behind those of the root
+};
+
+/// Keeps the layout of the file that was named, for a document of a robot.
+void keep_layout(Document& document, const TextLayout& text);
+
+/// The layout of the file and the name of the robot.
+std::vector<Fact> facts(const Document& document);
 
 /// Makes a document of a robot: its links in depth-first order, children in the order of
 /// declaration, the root moving freely; columns for the root's pose, for the joint ids from 0 on

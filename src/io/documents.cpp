@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,7 @@ std::string companion_path(const std::string& path, const Format& format) {
 /// Of a set of files that is named by its stem, the first one that there is; else the name itself.
 std::string path_in_set(const std::string& name, const Format& format) {
   std::error_code fault;
-  if (format.has_part == nullptr || std::filesystem::is_regular_file(name, fault)) return name;
+  if (format.write_set == nullptr || std::filesystem::is_regular_file(name, fault)) return name;
   for (const std::string_view part : format.extensions) {
     const std::string path = name + std::string(part);
     if (std::filesystem::is_regular_file(path, fault)) return path;
@@ -65,18 +66,21 @@ std::string stem_of_set(const std::string& path, const Format& format) {
   return path;
 }
 
-/// Writes one file of a document.
+/// What a writer returned, or what went wrong with a file: that says more than that the writer was
+/// stopped.
+Result<void> with_fault(Result<void> written, const OutputFiles& files) {
+  if (written || written.error().kind != ErrorKind::Io) return written;
+  auto fault = files.fault();
+  return fault ? written : fault;
+}
+
+/// Writes a document that is one file.
 Result<void> write_one(const std::string& name, const Document& document, const Format& format,
                        const WriteOptions& options, const OutputFiles& files,
                        Diagnostics& diagnostics) {
   const auto sink = files.open(name);
   if (!sink) return fail(sink.error());
-  auto written = format.write(document, options, *sink, diagnostics);
-  // A fault of the file says more than that the writer was stopped.
-  if (!written && written.error().kind == ErrorKind::Io) {
-    if (auto fault = files.fault(); !fault) return fault;
-  }
-  return written;
+  return with_fault(format.write(document, options, *sink, diagnostics), files);
 }
 
 }  // namespace
@@ -124,28 +128,29 @@ Result<void> write_set(const std::string& path, const Document& document, const 
         ErrorKind::Usage, "FMT006",
         fmt::format("{} is a set of files, which standard output cannot take", format.name));
   }
-  bool has_any = false;
+  const std::string stem = stem_of_set(path, format);
+  std::set<std::string> names;
+  const OpenPart open = [&](std::string_view part) {
+    const std::string name = stem + std::string(part);
+    names.insert(name);
+    return files.open(name);
+  };
+  auto written = with_fault(format.write_set(document, options, open, diagnostics), files);
+  if (!written) return written;
   for (const std::string_view part : format.extensions) {
-    const std::string name = stem_of_set(path, format) + std::string(part);
-    if (format.has_part(document, part)) {
-      WriteOptions for_part = options;
-      for_part.part = part;
-      auto written = write_one(name, document, format, for_part, files, diagnostics);
-      if (!written) return written;
-      has_any = true;
-    } else if (files.exists(name)) {
-      // It would be read as part of the set. It is not for us to delete.
-      return fail(make_error(ErrorKind::Io, "FMT007",
-                             "the file is there and would be read as part of the set, which has "
-                             "none such; move it away, or name another stem",
-                             name));
-    }
+    const std::string name = stem + std::string(part);
+    if (names.contains(name) || !files.exists(name)) continue;
+    // It would be read as part of the set. It is not for us to delete.
+    return fail(make_error(ErrorKind::Io, "FMT007",
+                           "the file is there and would be read as part of the set, which has "
+                           "none such; move it away, or name another stem",
+                           name));
   }
-  // Nothing at all is for the writer to tell.
-  return has_any ? Result<void>() : format.write(document, options, nullptr, diagnostics);
+  return {};
 }
 
-/// Writes the file that belongs to another one, the skeleton of an AMC file, and tells its name.
+/// Writes the file that belongs to another one, the skeleton of an AMC file, and tells its name. It
+/// is for the skeleton alone, as a document of its own.
 Result<void> write_companion(const std::string& path, const Document& document,
                              const Format& format, WriteOptions& options, const OutputFiles& files,
                              Diagnostics& diagnostics) {
@@ -162,10 +167,11 @@ Result<void> write_companion(const std::string& path, const Document& document,
                 fmt::format("{} is written as two files, and '{}' is the name of the other one",
                             format.name, path));
   }
-  WriteOptions for_companion = options;
-  for_companion.is_companion = true;
+  Document companion = document;
+  if (has_skeleton(document)) companion.content = skeleton_of(document);
+  auto written = write_one(name, companion, other, options, files, diagnostics);
   options.companion = name.substr(name.find_last_of('/') + 1);
-  return write_one(name, document, other, for_companion, files, diagnostics);
+  return written;
 }
 
 }  // namespace
@@ -182,16 +188,15 @@ Result<RobotProject> read_project_file(const std::string& path, ReadOptions opti
 Result<void> write(const std::string& name, const Document& document, const Format& format,
                    const WriteOptions& options, const OutputFiles& files,
                    Diagnostics& diagnostics) {
-  if (format.write == nullptr) {
-    const std::string writable =
-        names_of_formats([](const Format& known) { return known.write != nullptr; });
+  if (!is_written(format)) {
+    const std::string writable = names_of_formats(is_written);
     return fail(
         ErrorKind::Usage, "FMT002",
         fmt::format("{} is only read, not written; what is written: {}", format.name, writable));
   }
   WriteOptions with_companion = options;
   Result<void> written;
-  if (format.has_part != nullptr) {
+  if (format.write_set != nullptr) {
     written = write_set(name, document, format, options, files, diagnostics);
   } else {
     if (!format.companion.empty() && options.writes_companion) {

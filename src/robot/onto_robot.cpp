@@ -39,9 +39,8 @@ std::vector<std::size_t> sources_of(const Skeleton& figure, const Skeleton& robo
   const JointNames figure_names(figure);
   for (std::size_t j = 0; j < sources.size(); ++j) {
     const std::string& link = robot.joints[j].name;
-    const auto joint_name = names.joint_of_link.find(link);
-    for (const std::string& name :
-         {link, joint_name == names.joint_of_link.end() ? link : joint_name->second}) {
+    const std::string& joint_name = robot.joints[j].joint_name;
+    for (const std::string& name : {link, joint_name.empty() ? link : joint_name}) {
       const auto mapped = names.source_of.find(name);
       const std::vector<std::size_t>& found =
           figure_names.find(mapped == names.source_of.end() ? name : mapped->second);

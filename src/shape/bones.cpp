@@ -147,13 +147,14 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   const bool has_frames = builder.motion.clip.num_frames > 0;
   root.offset = has_frames ? old.offset : rest_offset(old);
   root.rest_rotation = old.rest_rotation;
+  const bool keeps_name = lowered(old.name) == "root";
+  if (keeps_name) root.kept = old.kept;
   if (has_frames && rest_offset(old) != old.offset) {
     builder.diagnostics.add(
         Severity::Note, kNoteCode,
         fmt::format("the root rests at the origin, not where '{}' did", old.name));
   }
   builder.joints().push_back(std::move(root));
-  const bool keeps_name = lowered(old.name) == "root";
   add_dofs(builder, old_index, 0, true, keeps_name ? Dofs::All : Dofs::AllButTail);
   builder.new_of_old.push_back(0);
   Vec3 end = Vec3::Zero();
@@ -163,6 +164,7 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
     const std::string name = unique_name(builder, as_bone_name(old.name));
     builder.new_of_old.back() = add_joint(builder, name, 0, end);
+    builder.joints().back().kept = old.kept;
     add_dofs(builder, old_index, builder.new_of_old.back(), true, Dofs::OfTail);
   }
   add_tips(builder, old, builder.new_of_old.back(), end);
@@ -176,6 +178,7 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   const std::string name = unique_name(builder, as_bone_name(old.name));
   if (name != old.name) builder.renamed.push_back(old.name + "' to '" + name);
   const std::size_t index = add_joint(builder, name, holder, end);
+  builder.joints()[index].kept = old.kept;
   builder.new_of_old.push_back(index);
   add_dofs(builder, old_index, index, false);
   add_tips(builder, old, index, end);

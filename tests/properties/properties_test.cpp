@@ -94,7 +94,7 @@ TEST(Properties, WhatIsWrittenReadsTheSame) {
     ASSERT_EQ(first.diagnostics.count(Severity::Warning), 0u) << text_of(first.diagnostics);
     const std::string text = write_to_string(*first.document);
     ReadOptions options;
-    const bool is_added = first.document->extras.file.at("positions") == "add";
+    const bool is_added = fact_of(*first.document, "positions") == "add";
     options.of_formats =
         bvh::ReadOptions{is_added ? bvh::PositionMode::Add : bvh::PositionMode::Replace};
     const ReadText second = read_bvh(text, options);

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "formats/choreonoid/bind.hpp"
+
 namespace kinefile::test {
 namespace {
 
@@ -14,9 +16,9 @@ std::string component(const std::string& head, const std::string& keys,
   return text;
 }
 
-std::string kept(const Component& component, const char* key) {
-  const auto found = component.extras.find(key);
-  return found == component.extras.end() ? "" : found->second;
+choreonoid::KeptComponent kept_of(const Component& component) {
+  const auto* const kept = component.kept.get<choreonoid::KeptComponent>();
+  return kept == nullptr ? choreonoid::KeptComponent{} : *kept;
 }
 
 }  // namespace
@@ -86,8 +88,8 @@ void expect_same_components(const std::vector<Component>& found,
     EXPECT_EQ(a.pose_form, b.pose_form) << what;
     EXPECT_EQ(a.is_root_relative, b.is_root_relative) << what;
     EXPECT_EQ(frame_rate(a.timeline), frame_rate(b.timeline)) << what;
-    EXPECT_EQ(kept(a, "unknown_keys"), kept(b, "unknown_keys")) << what;
-    EXPECT_EQ(kept(a, "text"), kept(b, "text")) << what;
+    EXPECT_EQ(kept_of(a).unknown_keys, kept_of(b).unknown_keys) << what;
+    EXPECT_EQ(kept_of(a).text, kept_of(b).text) << what;
     expect_same_bits(a.values, b.values, what);
     expect_same_bits(own_times(a.timeline), own_times(b.timeline), what);
   }

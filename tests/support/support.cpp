@@ -53,6 +53,13 @@ std::string text_of(const Diagnostics& diagnostics) {
   return text;
 }
 
+std::string fact_of(const Document& document, std::string_view key) {
+  for (const Fact& fact : facts_of(document)) {
+    if (fact.key == key) return fact.value;
+  }
+  return "none";
+}
+
 std::vector<std::string> codes_of(const Diagnostics& diagnostics) {
   std::vector<std::string> codes;
   for (const Diagnostic& item : diagnostics.items()) codes.push_back(item.code);

@@ -34,6 +34,9 @@ std::string write_to_string(const Document& document, std::string_view format = 
 /// The diagnostics as the command prints them.
 std::string text_of(const Diagnostics& diagnostics);
 
+/// What is known of a document's file under a key (see `facts_of`); "none" if nothing is.
+std::string fact_of(const Document& document, std::string_view key);
+
 /// The codes of the diagnostics, in order.
 std::vector<std::string> codes_of(const Diagnostics& diagnostics);
 

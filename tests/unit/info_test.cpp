@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/flows.hpp"
 #include "support/robots.hpp"
+#include "support/support.hpp"
 #include "walk.hpp"
 
 namespace kinefile::test {
@@ -40,6 +43,17 @@ TEST(Info, TellsOfASkeletonAlone) {
   EXPECT_EQ(told.skeleton->angle_unit, AngleUnit::Radians);
   ASSERT_EQ(told.skeleton->rotation_orders.size(), 1u);
   EXPECT_EQ(told.skeleton->rotation_orders[0].order, "Z");
+}
+
+TEST(Info, TellsTheFactsOfTheFile) {
+  const ReadText read = read_bvh(bvh_with_rows({"0 0 0 0 0 0 0 0 0"}));
+  ASSERT_TRUE(read.document);
+  const Info told = info(*read.document);
+  const auto line_end = std::find_if(told.facts.begin(), told.facts.end(),
+                                     [](const Fact& fact) { return fact.key == "line_end"; });
+  ASSERT_NE(line_end, told.facts.end());
+  EXPECT_EQ(line_end->value, "lf");
+  EXPECT_TRUE(info({hinge_robot(), "", {}}).facts.empty());
 }
 
 TEST(Info, AnObliqueAxisHasNoLetter) {

@@ -5,7 +5,6 @@
 
 #include "formats/acclaim/bind.hpp"
 #include "formats/acclaim/codes.hpp"
-#include "formats/acclaim/extras.hpp"
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
@@ -31,15 +30,24 @@ bool probe_amc(std::string_view head) {
          text::is_one_of(Lexer(head).take(), kKeywords);
 }
 
-/// The skeleton of a motion, as its file has it.
+/// The skeleton of a motion, and what is kept of its file.
 struct Found {
-  AsfFile file;
+  Skeleton skeleton;
+  AsfFile kept;
   std::string name;
-  double metres_per_quotient = 0;
 };
 
-/// The file that a skeleton was read from, which was read before.
-Result<Found> skeleton_of_options(const ReadOptions& options, Diagnostics& diagnostics) {
+/// The skeleton as :FORCE-ALL-JOINTS-BE-3DOF makes it.
+Result<Skeleton> forced(const Document& document) {
+  auto unbound = unbind(skeleton_of(document), kept_file_of(document));
+  if (!unbound) return fail(std::move(unbound.error()));
+  const double length = unbound->file.length.value_or(1.0);
+  return bind(unbound->file, {true, skeleton_of(document).metres_per_unit * length});
+}
+
+/// The skeleton that was read before.
+Result<Found> skeleton_of_options(const AmcHeader& header, const ReadOptions& options,
+                                  Diagnostics& diagnostics) {
   const Document& document = *options.skeleton;
   const std::string& name = options.skeleton_name;
   const auto refuse = [&](const std::string& why) {
@@ -49,10 +57,9 @@ Result<Found> skeleton_of_options(const ReadOptions& options, Diagnostics& diagn
     return fail(std::move(error));
   };
   if (document.format != "asf") return refuse(document.format);
-  auto unbound = unbind(skeleton_of(document), document.extras);
-  if (!unbound) return refuse("one that ASF cannot say: " + unbound.error().message);
-  const double length = unbound->file.length.value_or(1.0);
-  return Found{std::move(unbound->file), name, skeleton_of(document).metres_per_unit * length};
+  auto skeleton = header.forces_3dof ? forced(document) : skeleton_of(document);
+  if (!skeleton) return refuse("one that ASF cannot say: " + skeleton.error().message);
+  return Found{std::move(*skeleton), kept_file_of(document).asf, name};
 }
 
 Result<Found> skeleton_beside(const AmcHeader& header, const text::Source& source,
@@ -79,7 +86,9 @@ Result<Found> skeleton_beside(const AmcHeader& header, const text::Source& sourc
   skeleton_options.encoding.clear();
   auto skeleton = read_skeleton(companion->bytes, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
-  return Found{std::move(skeleton->file), companion->name, skeleton->metres_per_quotient};
+  const BindOptions how_bound = {header.forces_3dof, skeleton->metres_per_quotient};
+  return Found{bind(skeleton->file, how_bound), kept_of(std::move(skeleton->file)),
+               companion->name};
 }
 
 Timeline timeline_of(const AmcHeader& header, const text::Source& source,
@@ -95,15 +104,16 @@ Timeline timeline_of(const AmcHeader& header, const text::Source& source,
 }
 
 /// What is kept of the file for `write`.
-void keep_words(Document& document, const AmcHeader& header, const AmcBody& body,
-                const std::vector<BoneColumns>& bones, const ReadOptions& options) {
-  auto& words = document.extras.file;
-  std::string order;
-  for (const std::size_t b : body.bone_order) order += (order.empty() ? "" : " ") + bones[b].name;
-  words["amc_order"] = order;
-  if (!header.other_lines.empty()) words["amc_header"] = header.other_lines;
-  if (header.forces_3dof) words["force_3dof"] = "yes";
-  words["rate"] = options.fps ? "asked" : header.samples_per_second ? "file" : "assumed";
+KeptMotion kept_motion(const AmcHeader& header, const AmcBody& body,
+                       const std::vector<BoneColumns>& bones, const ReadOptions& options) {
+  KeptMotion kept;
+  kept.other_lines = header.other_lines;
+  kept.forces_3dof = header.forces_3dof;
+  kept.rate = options.fps                 ? RateSource::Asked
+              : header.samples_per_second ? RateSource::File
+                                          : RateSource::Assumed;
+  for (const std::size_t b : body.bone_order) kept.bone_order.push_back(bones[b].name);
+  return kept;
 }
 
 Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& options,
@@ -113,12 +123,12 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
   const text::Source source(options.source_name, decoded->view());
   Parser parser{source, options.lenient, diagnostics, Lexer(source.text())};
   const AmcHeader header = parse_amc_header(parser);
-  auto found = options.skeleton != nullptr ? skeleton_of_options(options, diagnostics)
+  auto found = options.skeleton != nullptr ? skeleton_of_options(header, options, diagnostics)
                                            : skeleton_beside(header, source, options, diagnostics);
   if (!found) return fail(std::move(found.error()));
 
   Motion motion;
-  motion.skeleton = bind(found->file, {header.forces_3dof, found->metres_per_quotient});
+  motion.skeleton = std::move(found->skeleton);
   if (header.angle) motion.skeleton.angle_unit = *header.angle;
   const std::vector<BoneColumns> bones = columns_of_bones(motion.skeleton);
   AmcBody body = parse_amc_body(parser, bones, found->name);
@@ -129,13 +139,11 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
   motion.clip.num_coordinates = motion.skeleton.coordinates.size();
   motion.clip.values = std::move(body.values);
 
+  KeptMotion kept = kept_motion(header, body, bones, options);
+  kept.skeleton_name = found->name;
   Document document;
   document.format = "amc";
-  document.extras = extras_of(found->file);
-  document.extras.file["skeleton"] = found->name;
-  document.extras.file["encoding"] = decoded->description();
-  document.extras.file["line_end"] = text::line_end_of(decoded->view());
-  keep_words(document, header, body, bones, options);
+  document.kept = Kept(KeptFile{layout_of(*decoded), std::move(found->kept), std::move(kept)});
   document.content = std::move(motion);
   return document;
 }
@@ -145,20 +153,17 @@ Result<Document> read_amc(std::string_view bytes, const ReadOptions& options,
   return read_with_own_diagnostics(read_amc_alone, bytes, options, diagnostics);
 }
 
-AmcHeading heading_of(const Document& document, const Motion& motion, const WriteOptions& options) {
-  const auto word = [&document](const char* key) {
-    const auto found = document.extras.file.find(key);
-    return found == document.extras.file.end() ? std::string() : found->second;
-  };
+AmcHeading heading_of(const KeptFile& kept, const Motion& motion, const WriteOptions& options) {
   AmcHeading heading;
   heading.skeleton = options.companion;
   heading.angle = motion.skeleton.angle_unit;
-  if (document.format != "amc") return heading;
-  heading.other_lines = word("amc_header");
-  heading.bone_order = word("amc_order");
+  if (!kept.motion) return heading;
+  heading.other_lines = kept.motion->other_lines;
+  heading.bone_order = kept.motion->bone_order;
   heading.first_frame_number = motion.clip.timeline.first_frame_number;
   // A rate that the file did not say is not put into its mouth, unless it is another one now.
-  heading.says_rate = word("rate") != "assumed" || frame_rate(motion.clip.timeline) != kUsualRate;
+  heading.says_rate =
+      kept.motion->rate != RateSource::Assumed || frame_rate(motion.clip.timeline) != kUsualRate;
   return heading;
 }
 
@@ -173,11 +178,12 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
   if (auto taken = expect_kind(document, kAmcWrites, "a motion to write as AMC"); !taken) {
     return taken;
   }
-  auto unbound = unbind(motion->skeleton, document.extras);
+  const KeptFile kept = kept_file_of(document);
+  auto unbound = unbind(motion->skeleton, kept);
   if (!unbound) return fail(std::move(unbound.error()));
   text::Printer printer(sink, options.decimals);
-  print_amc(printer, *unbound, heading_of(document, *motion, options), motion->clip,
-            kept_line_end(document.extras));
+  print_amc(printer, *unbound, heading_of(kept, *motion, options), motion->clip,
+            line_end_of(kept.text));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
 }
@@ -193,6 +199,7 @@ Format amc_format() {
   format.probe = probe_amc;
   format.read = read_amc;
   format.write = write_amc;
+  format.facts = facts;
   format.takes_skeleton = true;
   format.conventions.writes = kAmcWrites;
   format.conventions.has_one_end = true;

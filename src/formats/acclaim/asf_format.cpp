@@ -5,7 +5,6 @@
 
 #include "formats/acclaim/bind.hpp"
 #include "formats/acclaim/codes.hpp"
-#include "formats/acclaim/extras.hpp"
 #include "formats/acclaim/format.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "formats/acclaim/print.hpp"
@@ -43,10 +42,8 @@ Result<Document> read_asf_alone(std::string_view bytes, const ReadOptions& optio
   if (!skeleton) return fail(std::move(skeleton.error()));
   Document document;
   document.format = "asf";
-  document.extras = extras_of(skeleton->file);
-  document.extras.file["encoding"] = skeleton->encoding;
-  document.extras.file["line_end"] = skeleton->line_end;
   document.content = bind(skeleton->file, {false, skeleton->metres_per_quotient});
+  document.kept = Kept(KeptFile{skeleton->text, kept_of(std::move(skeleton->file)), {}});
   return document;
 }
 
@@ -61,17 +58,15 @@ Result<void> write_asf(const Document& document, const WriteOptions& options, co
       !taken) {
     return taken;
   }
-  // As the companion of a motion it says nothing of it, and loses nothing.
-  const bool loses_motion =
-      std::holds_alternative<Motion>(document.content) && !options.is_companion;
-  if (loses_motion) {
+  if (std::holds_alternative<Motion>(document.content)) {
     diagnostics.add(Severity::Warning, code::kMotionLeftOut,
                     "ASF holds the skeleton alone; the motion is left out, which AMC holds");
   }
-  auto unbound = unbind(skeleton_of(document), document.extras);
+  const KeptFile kept = kept_file_of(document);
+  auto unbound = unbind(skeleton_of(document), kept);
   if (!unbound) return fail(std::move(unbound.error()));
   text::Printer printer(sink, options.decimals);
-  print_asf(printer, unbound->file, kept_line_end(document.extras));
+  print_asf(printer, unbound->file, line_end_of(kept.text));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
 }
@@ -86,8 +81,7 @@ Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& op
   ReadSkeleton skeleton;
   skeleton.file = parse_asf(source, options.lenient, diagnostics);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  skeleton.encoding = decoded->description();
-  skeleton.line_end = text::line_end_of(decoded->view());
+  skeleton.text = layout_of(*decoded);
   // Without a unit in the file there is nothing to assume anything from.
   const auto& length = skeleton.file.length;
   skeleton.metres_per_quotient = options.metres_per_unit.value_or(length ? kMetresPerInch : 0.0);
@@ -103,6 +97,7 @@ Format asf_format() {
   format.probe = probe_asf;
   format.read = read_asf;
   format.write = write_asf;
+  format.facts = facts;
   format.conventions.writes = kAsfWrites;
   format.conventions.has_one_end = true;
   format.read_options = kAsfReadOptions;

@@ -90,7 +90,15 @@ Joint bind_root(const Root& root, AngleUnit unit) {
   joint.name = "root";
   joint.offset = {root.position[0], root.position[1], root.position[2]};
   joint.rest_rotation = Quat(rotation_of(root.orientation, unit));
+  joint.kept = Kept(root);
   return joint;
+}
+
+/// A bone without what holds only as long as its file is there.
+Kept kept_bone(Bone bone) {
+  bone.at = nullptr;
+  bone.parent = kNoParent;
+  return Kept(std::move(bone));
 }
 
 }  // namespace
@@ -147,6 +155,7 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
     if (bone.parent != kNoParent) joint.offset = end_of(file.bones[bone.parent]);
     const Vec3 end = end_of(bone);
     joint.tips.push_back({"", end});
+    joint.kept = kept_bone(bone);
     skeleton.joints.push_back(std::move(joint));
     const Mat3 axes = rotation_of(bone.axis, unit);
     const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();

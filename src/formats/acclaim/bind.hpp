@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/acclaim/syntax.hpp"
+#include "formats/acclaim/kept.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/result.hpp"
@@ -28,7 +28,8 @@ Vec3 end_of(const Bone& bone);
 std::vector<std::size_t> parents_first(const AsfFile& file);
 
 /// Gives a skeleton its meaning. Joint 0 is the root; the joints behind it are the bones in the
-/// order of `parents_first`. A bone's joint is where it starts, its tip where it ends.
+/// order of `parents_first`. A bone's joint is where it starts, its tip where it ends; it keeps the
+/// `Bone`, and the first one the `Root`.
 Skeleton bind(const AsfFile& file, const BindOptions& options);
 
 /// The columns of the bones that have any.
@@ -42,9 +43,9 @@ struct Unbound {
   std::vector<std::vector<std::size_t>> columns;
 };
 
-/// Finds the ASF form of a skeleton: the opposite of `bind`. What `extras` keeps of the file that
-/// it was read from is used as far as it still says the same.
+/// Finds the ASF form of a skeleton: the opposite of `bind`. What is kept of the file that it was
+/// read from, in `kept` and in its joints, is used as far as it still says the same.
 /// \errors ASF020 (DataLoss) if a joint is or moves in a way that ASF has no words for
-Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras);
+Result<Unbound> unbind(const Skeleton& skeleton, const KeptFile& kept);
 
 }  // namespace kinefile::acclaim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "formats/acclaim/syntax.hpp"
+#include "formats/acclaim/kept.hpp"
 #include "kinefile/format.hpp"
 
 namespace kinefile::acclaim {
@@ -16,8 +16,7 @@ Format amc_format();
 /// A skeleton as a file has it.
 struct ReadSkeleton {
   AsfFile file;
-  std::string encoding;
-  std::string line_end;
+  TextLayout text;
   double metres_per_quotient = kMetresPerInch;
 };
 

@@ -7,8 +7,6 @@
 #include <map>
 #include <set>
 
-#include "formats/acclaim/lexer.hpp"
-
 namespace kinefile::acclaim {
 namespace {
 
@@ -140,7 +138,8 @@ void print_asf(text::Printer& printer, const AsfFile& file, std::string_view lin
 namespace {
 
 /// The lines of a frame: 0 is the root, 1 the first bone. Those without values have none.
-std::vector<std::size_t> line_order(const Unbound& unbound, const std::string& bone_order) {
+std::vector<std::size_t> line_order(const Unbound& unbound,
+                                    const std::vector<std::string>& bone_order) {
   std::vector<std::size_t> usual;
   for (std::size_t i = 0; i < unbound.columns.size(); ++i) {
     if (!unbound.columns[i].empty()) usual.push_back(i);
@@ -150,8 +149,7 @@ std::vector<std::size_t> line_order(const Unbound& unbound, const std::string& b
     waiting.emplace(i == 0 ? std::string_view("root") : unbound.file.bones[i - 1].name, i);
   }
   std::vector<std::size_t> kept;
-  Lexer lexer(bone_order);
-  for (std::string_view name = lexer.take(); !name.empty(); name = lexer.take()) {
+  for (const std::string& name : bone_order) {
     const auto found = waiting.find(name);
     if (found == waiting.end()) return usual;
     kept.push_back(found->second);

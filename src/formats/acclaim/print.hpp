@@ -20,7 +20,7 @@ struct AmcHeading {
   AngleUnit angle = AngleUnit::Degrees;
   bool says_rate = true;
   std::int64_t first_frame_number = 1;
-  std::string bone_order;  ///< the names of the bones that have values, if they had an order
+  std::vector<std::string> bone_order;  ///< the bones that have values, if they had an order
 };
 
 /// Writes a motion.

@@ -8,7 +8,6 @@
 #include "base/words.hpp"
 #include "formats/acclaim/bind.hpp"
 #include "formats/acclaim/codes.hpp"
-#include "formats/acclaim/extras.hpp"
 #include "text/numbers.hpp"
 #include "text/scanner.hpp"
 
@@ -203,8 +202,8 @@ std::vector<Limit> limits_of(const Bone& bone, const std::vector<DofWord>& dofs)
   return limits;
 }
 
-Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extras& extras,
-                         AngleUnit unit, std::vector<std::size_t>& columns) {
+Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, AngleUnit unit,
+                         std::vector<std::size_t>& columns) {
   const Joint& joint = skeleton.joints[index];
   if (!is_bone_name(joint.name)) {
     return fail(not_expressible(joint, "has a name that is no word of its own"));
@@ -218,8 +217,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, const Extr
   if (!joint.rest_rotation.isApprox(Quat::Identity(), 0)) {
     return fail(not_expressible(joint, "is turned in its rest pose"));
   }
-  const auto words = extras.joints.find(joint.name);
-  Bone bone = words == extras.joints.end() ? Bone{} : bone_of_extras(joint.name, words->second);
+  const Bone* const kept = joint.kept.get<Bone>();
+  Bone bone = kept != nullptr ? *kept : Bone{};
   bone.name = joint.name;
   const Vec3 end = joint.tips.front().offset;
   set_end(bone, end);
@@ -260,9 +259,10 @@ bool says_root_axes(const Mat3& rest, const std::vector<Worded>& worded) {
   });
 }
 
-Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit unit,
+Result<Root> unbind_root(const Skeleton& skeleton, AngleUnit unit,
                          std::vector<std::size_t>& columns) {
   const Joint& joint = skeleton.joints.front();
+  const Root* const kept = joint.kept.get<Root>();
   if (joint.name != "root") return fail(not_expressible(joint, "is the root under this name"));
   if (!joint.tips.empty()) return fail(not_expressible(joint, "has an end, though it is the root"));
   const Mat3 rest = joint.rest_rotation.toRotationMatrix();
@@ -278,8 +278,8 @@ Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit u
   Root root;
   root.position = {joint.offset[0], joint.offset[1], joint.offset[2]};
   root.order = dofs_of(*worded);
-  root.orientation = kept.orientation;
-  if (Quat(rotation_of(kept.orientation, unit)).coeffs() != joint.rest_rotation.coeffs()) {
+  if (kept != nullptr) root.orientation = kept->orientation;
+  if (Quat(rotation_of(root.orientation, unit)).coeffs() != joint.rest_rotation.coeffs()) {
     root.orientation = orientation_of(rest, unit);
   }
   columns = columns_of(*worded);
@@ -288,19 +288,17 @@ Result<Root> unbind_root(const Skeleton& skeleton, const Root& kept, AngleUnit u
 
 /// Whether every bone's words are what :FORCE-ALL-JOINTS-BE-3DOF makes of the words that its file
 /// had; then those are put back.
-bool restore_forced(Unbound& unbound, const Skeleton& skeleton, const Extras& extras,
+bool restore_forced(Unbound& unbound, const Skeleton& skeleton,
                     const std::vector<std::size_t>& joint_of_bone) {
-  if (!extras.file.contains("force_3dof")) return false;
   std::vector<Bone> bones = unbound.file.bones;
   auto columns = unbound.columns;
   for (std::size_t b = 0; b < bones.size(); ++b) {
-    const auto words = extras.joints.find(bones[b].name);
-    if (words == extras.joints.end()) return false;
-    const Bone kept = bone_of_extras(bones[b].name, words->second);
+    const Bone* const kept = skeleton.joints[joint_of_bone[b]].kept.get<Bone>();
+    if (kept == nullptr) return false;
     AsfFile alone;
     alone.bones.push_back(bones[b]);
     alone.bones[0].parent = kNoParent;
-    alone.bones[0].dofs = kept.dofs;
+    alone.bones[0].dofs = kept->dofs;
     alone.angle = unbound.file.angle;
     const Skeleton forced = bind(alone, {true, 1.0});
     const Joint& joint = skeleton.joints[joint_of_bone[b]];
@@ -312,8 +310,8 @@ bool restore_forced(Unbound& unbound, const Skeleton& skeleton, const Extras& ex
       if (!again.dofs[d].axis.isApprox(joint.dofs[d].axis, kSquareTolerance)) return false;
       columns[b + 1][again.dofs[d].coordinate] = joint.dofs[d].coordinate;
     }
-    bones[b].dofs = kept.dofs;
-    bones[b].limits = kept.limits;
+    bones[b].dofs = kept->dofs;
+    bones[b].limits = kept->limits;
   }
   unbound.file.bones = std::move(bones);
   unbound.columns = std::move(columns);
@@ -337,13 +335,13 @@ std::optional<Error> unread_column(const Skeleton& skeleton, const Unbound& unbo
 
 }  // namespace
 
-Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
+Result<Unbound> unbind(const Skeleton& skeleton, const KeptFile& kept) {
   if (skeleton.joints.empty()) {
     return fail(make_error(ErrorKind::DataLoss, code::kNotExpressible,
                            "ASF cannot say that a skeleton has no joints"));
   }
   Unbound unbound;
-  unbound.file = asf_of_extras(extras);
+  unbound.file = kept.asf;
   unbound.file.name = skeleton.name;
   if (!unbound.file.angle) unbound.file.angle = skeleton.angle_unit;
   const AngleUnit unit = *unbound.file.angle;
@@ -351,7 +349,7 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
     unbound.file.length = kMetresPerInch / skeleton.metres_per_unit;
   }
   unbound.columns.emplace_back();
-  auto root = unbind_root(skeleton, unbound.file.root, unit, unbound.columns.back());
+  auto root = unbind_root(skeleton, unit, unbound.columns.back());
   if (!root) return fail(std::move(root.error()));
   unbound.file.root = std::move(*root);
 
@@ -359,7 +357,7 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
   std::vector<std::size_t> joint_of_bone;
   for (std::size_t j = 1; j < skeleton.joints.size(); ++j) {
     unbound.columns.emplace_back();
-    auto bone = unbind_bone(skeleton, j, extras, unit, unbound.columns.back());
+    auto bone = unbind_bone(skeleton, j, unit, unbound.columns.back());
     if (!bone) return fail(std::move(bone.error()));
     bone->parent = skeleton.joints[j].parent == 0 ? kNoParent : skeleton.joints[j].parent - 1;
     if (!names.insert(lowered(bone->name)).second) {
@@ -369,7 +367,8 @@ Result<Unbound> unbind(const Skeleton& skeleton, const Extras& extras) {
     unbound.file.bones.push_back(std::move(*bone));
   }
   if (auto unread = unread_column(skeleton, unbound)) return fail(std::move(*unread));
-  unbound.forces_3dof = restore_forced(unbound, skeleton, extras, joint_of_bone);
+  const bool was_forced = kept.motion && kept.motion->forces_3dof;
+  unbound.forces_3dof = was_forced && restore_forced(unbound, skeleton, joint_of_bone);
   return unbound;
 }
 

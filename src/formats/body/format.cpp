@@ -48,7 +48,7 @@ Result<Document> read_other(const Wrapped& wrapped, Files& files) {
   auto document = wrapped.other_format->read(companion->bytes, options, files.diagnostics());
   if (!document) return document;
   // A robot, and not just any skeleton.
-  if (document->extras.file.contains("num_joints")) return document;
+  if (document->kept.get<robot_file::KeptFile>() != nullptr) return document;
   wrapped.spot.report(
       files.diagnostics(), Severity::Error, code::kNotABody,
       fmt::format("expected a robot model, found {}", wrapped.other_format->description));
@@ -75,8 +75,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   }
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   result->format = "body";
-  result->extras.file["encoding"] = first->decoded.description();
-  result->extras.file["line_end"] = text::line_end_of(first->decoded.view());
+  robot_file::keep_layout(*result, layout_of(first->decoded));
   return result;
 }
 
@@ -94,6 +93,7 @@ Format format() {
   format.extensions = kExtensions;
   format.probe = probe;
   format.read = read;
+  format.facts = robot_file::facts;
   format.read_options = kReadOptions;
   return format;
 }

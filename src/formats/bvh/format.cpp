@@ -36,6 +36,12 @@ constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
 constexpr Kinds kWrites = {.motions = true, .skeletons = true};
 
+/// What a document keeps of its file.
+struct KeptFile {
+  TextLayout text;
+  PositionMode positions = PositionMode::Replace;  ///< or Add
+};
+
 bool probe(std::string_view head) {
   Diagnostics ignored;
   const auto decoded = text::decode(head, {}, {}, ignored);
@@ -87,9 +93,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
       file, source, options.of_formats.get<bvh::ReadOptions>().positions, diagnostics);
   Document document;
   document.format = "bvh";
-  document.extras.file["encoding"] = decoded->description();
-  document.extras.file["line_end"] = text::line_end_of(view);
-  document.extras.file["positions"] = mode == PositionMode::Add ? "add" : "replace";
+  document.kept = Kept(KeptFile{layout_of(*decoded, view), mode});
   Motion motion = bind(std::move(file), mode);
   motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
   if (options.fps) motion.clip.timeline = {FrameRate{*options.fps}, 0};
@@ -120,8 +124,8 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
                     "position values are written as they are, to be added to OFFSET; read the "
                     "file with --positions add");
   }
-  const std::string_view line_end =
-      document.format == "bvh" ? kept_line_end(document.extras) : "\n";
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
   text::Printer printer(sink, options.decimals);
   print_hierarchy(printer, unbound->file, line_end);
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
@@ -129,6 +133,22 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
+}
+
+/// Whether the file's positions were read as ones that are added to OFFSET.
+bool were_positions_added(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  return kept != nullptr && kept->positions == PositionMode::Add;
+}
+
+std::vector<Fact> facts(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  if (kept == nullptr) return {};
+  std::vector<Fact> all = facts_of(kept->text);
+  const bool are_added = were_positions_added(document);
+  all.push_back({"positions", are_added ? "add" : "replace",
+                 are_added ? "positions added to OFFSET" : "positions replace OFFSET"});
+  return all;
 }
 
 }  // namespace
@@ -141,6 +161,8 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
+  format.facts = facts;
+  format.adds_positions = were_positions_added;
   format.conventions.writes = kWrites;
   format.conventions.angle_unit = AngleUnit::Degrees;
   format.conventions.turns_at_rest = false;

@@ -32,12 +32,9 @@ Component bind_component(SeqComponent&& from, std::optional<double> fps, int ver
   component.timeline = timeline_of(from, fps);
   component.values = std::move(from.values);
   component.is_root_relative = from.is_root_relative;
-  component.extras[extra::kType] = from.type;
-  component.extras[extra::kContent] = from.content;
-  if (!from.unknown_keys.empty()) component.extras[extra::kUnknownKeys] = from.unknown_keys;
-  if (from.kind == ComponentKind::Other) component.extras[extra::kText] = from.text;
+  component.kept =
+      Kept(KeptComponent{from.type, from.content, from.pose_order, from.unknown_keys, from.text});
   if (from.kind == ComponentKind::Poses) {
-    component.extras[extra::kPoseFormat] = word_of(from.pose_order);
     const bool is_rpy = from.pose_order == PoseOrder::RollPitchYaw;
     component.pose_form = is_rpy ? PoseForm::RollPitchYaw : PoseForm::Quaternion;
     if (from.pose_order == PoseOrder::QuaternionWLast) put_w_first(component.values);
@@ -70,12 +67,12 @@ std::string_view word_of(PoseOrder order) {
   return kWords[static_cast<std::size_t>(order)];
 }
 
-BodyMotion bind(SeqFile&& file, std::optional<double> fps, Extras& extras) {
-  extras.file[extra::kVersion] = file.version;
-  extras.file[extra::kSpelling] = file.is_snake_case ? "snake_case" : "camelCase";
-  extras.file[extra::kStyle] = file.is_json ? "json" : "block";
-  if (file.has_comments) extras.file[extra::kComments] = "yes";
-  if (!file.unknown_keys.empty()) extras.file[extra::kUnknownKeys] = file.unknown_keys;
+KeptFile kept_of(const SeqFile& file, const TextLayout& text) {
+  return {text,         file.version,      file.is_snake_case,
+          file.is_json, file.has_comments, file.unknown_keys};
+}
+
+BodyMotion bind(SeqFile&& file, std::optional<double> fps) {
   BodyMotion motion;
   for (SeqComponent& component : file.components) {
     motion.components.push_back(bind_component(std::move(component), fps, file.major));

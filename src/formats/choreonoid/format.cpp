@@ -193,9 +193,8 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   check_names(reader, file);
   Document document;
   document.format = "choreonoid";
-  document.extras.file["encoding"] = decoded->description();
-  document.extras.file["line_end"] = text::line_end_of(source.text());
-  document.content = bind(std::move(file), options.fps, document.extras);
+  document.kept = Kept(kept_of(file, layout_of(*decoded)));
+  document.content = bind(std::move(file), options.fps);
   return document;
 }
 
@@ -211,10 +210,30 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
       unbind(document, options.of_formats.get<choreonoid::WriteOptions>(), diagnostics);
   if (!file) return fail(file.error());
   text::Printer printer(sink, options.decimals);
-  const bool is_own = document.format == "choreonoid";
-  print_file(printer, *file, is_own ? kept_line_end(document.extras) : "\n");
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  print_file(printer, *file, kept == nullptr ? "\n" : line_end_of(kept->text));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
+}
+
+std::vector<Fact> facts(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  if (kept == nullptr) return {};
+  const std::string keys = kept->is_snake_case ? "snake_case" : "camelCase";
+  const std::string style = kept->is_json ? "json" : "block";
+  const std::string version = kept->version.empty() ? "1 (not said)" : kept->version;
+  std::vector<Fact> all = {{"version", kept->version, "format version " + version},
+                           {"keys", keys, keys},
+                           {"style", style, style + " style"}};
+  for (Fact& fact : facts_of(kept->text)) all.push_back(std::move(fact));
+  if (kept->has_comments) all.push_back({"comments", "yes", {}});
+  if (!kept->unknown_keys.empty()) all.push_back({"unknown_keys", kept->unknown_keys, {}});
+  return all;
+}
+
+std::string component_type(const Component& component) {
+  const KeptComponent* const kept = component.kept.get<KeptComponent>();
+  return kept == nullptr ? std::string() : kept->type;
 }
 
 }  // namespace
@@ -227,6 +246,8 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
+  format.facts = facts;
+  format.component_type = component_type;
   format.conventions.writes = kWrites;
   format.conventions.up = 2;
   format.conventions.angle_unit = AngleUnit::Radians;

@@ -14,11 +14,6 @@
 namespace kinefile::choreonoid {
 namespace {
 
-std::string kept(const std::map<std::string, std::string>& extras, const char* key) {
-  const auto found = extras.find(key);
-  return found == extras.end() ? "" : found->second;
-}
-
 /// The type of a component of known kind.
 std::string_view usual_type(ComponentKind kind) {
   constexpr std::array<std::string_view, 4> kTypes = {"MultiValueSeq", "MultiSE3Seq", "Vector3Seq",
@@ -74,10 +69,10 @@ void settle_poses(PrintedComponent& printed, int version, const WriteOptions& op
                   Diagnostics& diagnostics) {
   const Component& component = *printed.component;
   const auto asked = order_of(options.se3_format);
-  const auto own = order_of(kept(component.extras, extra::kPoseFormat));
+  const KeptComponent* const own = component.kept.get<KeptComponent>();
   const bool is_rpy = component.pose_form == PoseForm::RollPitchYaw;
   printed.pose_order = asked ? *asked
-                       : own ? *own
+                       : own ? own->pose_order
                              : (is_rpy ? PoseOrder::RollPitchYaw : PoseOrder::QuaternionWFirst);
   printed.pose_format = word_of(printed.pose_order);
   const bool wants_rpy = printed.pose_order == PoseOrder::RollPitchYaw;
@@ -135,19 +130,19 @@ Result<PrintedComponent> unbind_component(const Component& component, int versio
                                           Diagnostics& diagnostics) {
   PrintedComponent printed;
   printed.component = &component;
+  const KeptComponent* const own = component.kept.get<KeptComponent>();
+  const KeptComponent kept = own != nullptr ? *own : KeptComponent{};
   if (component.kind == ComponentKind::Other) {
-    printed.unknown_keys = kept(component.extras, extra::kText);
+    printed.unknown_keys = kept.text;
     return printed;
   }
-  const std::string type = kept(component.extras, extra::kType);
-  const std::string content = kept(component.extras, extra::kContent);
-  printed.type = is_same_version && !type.empty() ? type : usual_type(component.kind);
+  printed.type = is_same_version && !kept.type.empty() ? kept.type : usual_type(component.kind);
   const bool keeps_word =
-      is_same_version && !content.empty() && is_still_true(content, component, version);
-  printed.content = keeps_word ? content : usual_word(component, version);
+      is_same_version && !kept.content.empty() && is_still_true(kept.content, component, version);
+  printed.content = keeps_word ? kept.content : usual_word(component, version);
   const bool is_told_by_name = printed.content == "RelativeZMP" || printed.content == "RelativeZmp";
   printed.says_relative = component.is_root_relative && !(is_told_by_name && version == 1);
-  printed.unknown_keys = kept(component.extras, extra::kUnknownKeys);
+  printed.unknown_keys = kept.unknown_keys;
   const auto rate = settle_rate(component, diagnostics);
   if (!rate) return fail(rate.error());
   printed.frame_rate = *rate;
@@ -170,20 +165,19 @@ Result<PrintedFile> unbind(const Document& document, const WriteOptions& options
         ErrorKind::Usage, code::kCannotWrite,
         fmt::format("expected a body motion to write as .seq, found a {}", kind_name(document))));
   }
-  const bool is_own = document.format == "choreonoid";
-  const auto& extras = document.extras.file;
+  const KeptFile* const own = document.kept.get<KeptFile>();
   PrintedFile file;
-  const std::string own_version = is_own ? kept(extras, extra::kVersion) : "2";
-  const bool is_same = is_own && (options.version == 0 || options.version == major_of(own_version));
+  const std::string own_version = own != nullptr ? own->version : "2";
+  const bool is_same =
+      own != nullptr && (options.version == 0 || options.version == major_of(own_version));
   file.version = options.version > 0 ? options.version : major_of(own_version);
   file.version_word = is_same ? own_version : fmt::format("{}", file.version);
-  const std::string spelling = is_same ? kept(extras, extra::kSpelling) : "";
-  file.is_snake_case = spelling.empty() ? file.version == 4 : spelling == "snake_case";
-  file.is_json = options.style == YamlStyle::Json || (options.style == YamlStyle::Kept && is_own &&
-                                                      kept(extras, extra::kStyle) == "json");
+  file.is_snake_case = is_same ? own->is_snake_case : file.version == 4;
+  file.is_json = options.style == YamlStyle::Json ||
+                 (options.style == YamlStyle::Kept && own != nullptr && own->is_json);
   file.choreonoid_digits = options.choreonoid_digits;
-  if (is_own) file.unknown_keys = kept(extras, extra::kUnknownKeys);
-  if (is_own && !kept(extras, extra::kComments).empty()) {
+  if (own != nullptr) file.unknown_keys = own->unknown_keys;
+  if (own != nullptr && own->has_comments) {
     diagnostics.add(Severity::Note, code::kCommentsDropped, "the file's comments are not written");
   }
   for (const Component& component : motion->components) {

@@ -139,10 +139,7 @@ std::map<std::string, std::size_t> ids_of(const Document& robot) {
     if (joint.dofs.size() != 1 || joint.dofs[0].coordinate < kRootColumns) continue;
     const std::size_t id = joint.dofs[0].coordinate - kRootColumns;
     ids[joint.name] = id;
-    const auto words = robot.extras.joints.find(joint.name);
-    if (words == robot.extras.joints.end()) continue;
-    const auto name = words->second.find("joint_name");
-    if (name != words->second.end()) ids.emplace(name->second, id);
+    if (!joint.joint_name.empty()) ids.emplace(joint.joint_name, id);
   }
   const std::vector<std::size_t> num_readers = num_readers_of_columns(skeleton);
   for (std::size_t column = kRootColumns; column < num_readers.size(); ++column) {

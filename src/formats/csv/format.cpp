@@ -84,6 +84,7 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
+  format.facts = facts_of_layout;
   format.takes_skeleton = true;
   format.conventions.writes = kWrites;
   format.conventions.has_columns_of_components = true;

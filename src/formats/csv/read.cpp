@@ -105,8 +105,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   if (!reader.are_quotes_good(fields)) return fail(diagnostics.first_error());
   Document document;
   document.format = "csv";
-  document.extras.file["encoding"] = decoded->description();
-  document.extras.file["line_end"] = text::line_end_of(source.text());
+  document.kept = Kept(layout_of(*decoded));
   if (is_flow_header(header, options.project.get())) {
     auto flow = read_flow(reader, fields, header);
     if (!flow) return fail(diagnostics.first_error());

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "formats/common_options.hpp"
+#include "formats/files.hpp"
 #include "formats/hrpsys/codes.hpp"
 #include "formats/hrpsys/read.hpp"
 #include "text/printer.hpp"
@@ -20,11 +21,6 @@ const Component* component_of(const BodyMotion& motion, std::string_view part) {
   if (part == ".pos") return find_component(motion, ComponentKind::Values, kJointDisplacement);
   if (part == ".zmp") return find_component(motion, ComponentKind::Vectors, kZmp);
   return find_component(motion, ComponentKind::Poses, kLinkPosition);
-}
-
-bool has_part(const Document& document, std::string_view part) {
-  const BodyMotion* motion = std::get_if<BodyMotion>(&document.content);
-  return motion != nullptr && component_of(*motion, part) != nullptr;
 }
 
 /// The first link of poses alone, as x y z roll pitch yaw.
@@ -53,25 +49,37 @@ void print_rows(text::Printer& printer, const Component& component, std::size_t 
   }
 }
 
-Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
-                   Diagnostics&) {
-  if (auto valid = validate(document); !valid) return valid;
-  if (!has_part(document, options.part)) {
-    return fail(make_error(ErrorKind::Usage, code::kNothingToWrite,
-                           "expected joint displacements, link poses or a ZMP to write, found "
-                           "none"));
-  }
-  const Component& component = *component_of(std::get<BodyMotion>(document.content), options.part);
+/// Writes one file of the set.
+Result<void> write_part(const Component& component, std::string_view part,
+                        const WriteOptions& options, const Sink& sink) {
   text::Printer printer(sink, options.decimals);
-  if (options.part == ".waist" || options.part == ".hip") {
+  if (part == ".waist" || part == ".hip") {
     const Component root = root_angles(component);
-    const bool is_hip = options.part == ".hip";
+    const bool is_hip = part == ".hip";
     print_rows(printer, root, is_hip ? 3 : 0, root.num_parts == 0 ? 0 : (is_hip ? 3 : 6));
   } else {
     print_rows(printer, component, 0, component.row_size());
   }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};
+}
+
+Result<void> write_set(const Document& document, const WriteOptions& options, const OpenPart& open,
+                       Diagnostics&) {
+  if (auto valid = validate(document); !valid) return valid;
+  const BodyMotion* const motion = std::get_if<BodyMotion>(&document.content);
+  bool has_any = false;
+  for (const std::string_view part : kParts) {
+    const Component* const component = motion == nullptr ? nullptr : component_of(*motion, part);
+    if (component == nullptr) continue;
+    const auto sink = open(part);
+    if (!sink) return fail(sink.error());
+    if (auto written = write_part(*component, part, options, *sink); !written) return written;
+    has_any = true;
+  }
+  if (has_any) return {};
+  return fail(make_error(ErrorKind::Usage, code::kNothingToWrite,
+                         "expected joint displacements, link poses or a ZMP to write, found none"));
 }
 
 }  // namespace
@@ -83,8 +91,8 @@ Format format() {
   format.extensions = kParts;
   format.probe = nullptr;
   format.read = read;
-  format.write = write;
-  format.has_part = has_part;
+  format.facts = facts_of_layout;
+  format.write_set = write_set;
   format.read_options = kReadOptions;
   format.write_options = kWriteOptions;
   format.conventions.writes = {.body_motions = true};

@@ -71,10 +71,8 @@ class SetReader {
   }
 
   /// What the file that was named is like.
-  std::map<std::string, std::string> extras(const std::string& extension) const {
-    const Part& part = parts_.at(extension);
-    return {{"encoding", part.decoded.description()},
-            {"line_end", std::string(text::line_end_of(part.source->text()))}};
+  TextLayout layout(const std::string& extension) const {
+    return layout_of(parts_.at(extension).decoded);
   }
 
  private:
@@ -254,7 +252,7 @@ Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
   Document document;
   document.format = "hrpsys";
   document.content = reader.motion();
-  document.extras.file = reader.extras(own_part);
+  document.kept = Kept(reader.layout(own_part));
   return document;
 }
 

@@ -44,6 +44,15 @@ constexpr std::array<WriteOption, 1> kWriteOptions = {
 
 constexpr Kinds kWrites = {.flows = true};
 
+/// What a document keeps of its file.
+struct KeptFile {
+  TextLayout text;
+  std::string encoding;
+  bool has_bom = false;
+  std::optional<bool> has_blank_lines;  ///< before every block; absent: as usual in the format
+  bool ends_with_line = true;           ///< the last line ends like all others
+};
+
 /// Looks for the first line, which is the same in all files.
 bool probe(std::string_view head) {
   constexpr std::size_t kEnough = 1024;
@@ -74,13 +83,26 @@ void check_encoding(const Reader& reader, const text::DecodedText& decoded, Flow
               reader.source.text().data());
 }
 
-void keep_layout(Extras& extras, const text::DecodedText& decoded, const FlowFile& file) {
-  extras.file["encoding"] = decoded.description();
-  extras.file["line_end"] = text::line_end_of(decoded.view());
+KeptFile kept_of(const text::DecodedText& decoded, const FlowFile& file) {
+  KeptFile kept;
+  kept.text = kinefile::layout_of(decoded);
+  kept.encoding = decoded.encoding;
+  kept.has_bom = decoded.has_bom;
   const bool is_usual = file.has_blank_lines == (file.flow.format == FlowFormat::V1R4);
-  if (!is_usual) extras.file[extra::kBlankLines] = file.has_blank_lines ? "blocks" : "none";
-  const bool ends_with_line = decoded.view().ends_with('\n') || decoded.view().ends_with('\r');
-  if (!ends_with_line) extras.file[extra::kLastLineEnd] = "none";
+  if (!is_usual) kept.has_blank_lines = file.has_blank_lines;
+  kept.ends_with_line = decoded.view().ends_with('\n') || decoded.view().ends_with('\r');
+  return kept;
+}
+
+std::vector<Fact> facts(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  if (kept == nullptr) return {};
+  std::vector<Fact> all = facts_of(kept->text);
+  if (kept->has_blank_lines) {
+    all.push_back({"blank_lines", *kept->has_blank_lines ? "blocks" : "none", {}});
+  }
+  if (!kept->ends_with_line) all.push_back({"last_line_end", "none", {}});
+  return all;
 }
 
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
@@ -96,7 +118,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   Document document;
   document.format = "robovie";
-  keep_layout(document.extras, *decoded, file);
+  document.kept = Kept(kept_of(*decoded, file));
   document.content = std::move(file.flow);
   return document;
 }
@@ -111,15 +133,12 @@ Layout layout_of(const Document& document, FlowFormat format,
                  const kinefile::WriteOptions& options) {
   Layout layout;
   layout.has_blank_lines = format == FlowFormat::V1R4;
-  const auto& kept = document.extras.file;
-  if (document.format == "robovie" && kept.contains("encoding")) {
-    const std::string& description = kept.at("encoding");
-    layout.encoding = description.substr(0, description.find(' '));
-    layout.has_bom = description != layout.encoding;
-    layout.line_end = kept_line_end(document.extras);
-    layout.ends_with_line = !kept.contains(extra::kLastLineEnd);
-    const auto blank_lines = kept.find(extra::kBlankLines);
-    if (blank_lines != kept.end()) layout.has_blank_lines = blank_lines->second == "blocks";
+  if (const KeptFile* const kept = document.kept.get<KeptFile>()) {
+    layout.encoding = kept->encoding;
+    layout.has_bom = kept->has_bom;
+    layout.line_end = line_end_of(kept->text);
+    layout.ends_with_line = kept->ends_with_line;
+    layout.has_blank_lines = kept->has_blank_lines.value_or(layout.has_blank_lines);
   }
   const std::string& encoding = options.of_formats.get<robovie::WriteOptions>().encoding;
   if (!encoding.empty() && encoding != layout.encoding) {
@@ -211,6 +230,7 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
+  format.facts = facts;
   format.conventions.writes = kWrites;
   format.read_options = kReadOptions;
   format.write_options = kWriteOptions;

@@ -17,12 +17,6 @@ struct Layout {
   bool ends_with_line = true;   ///< the last line ends like all others
 };
 
-/// Keys of what a document's extras keep of a file, beside encoding and line_end.
-namespace extra {
-inline constexpr char kBlankLines[] = "blank_lines";     ///< "blocks" or "none"; absent: as usual
-inline constexpr char kLastLineEnd[] = "last_line_end";  ///< "none"; absent: as the others
-}  // namespace extra
-
 /// The two lines before the blocks, with "\n" for line ends.
 std::string header_text(const PoseFlow& flow);
 

@@ -56,6 +56,7 @@ std::vector<Format> formats() {
   format.extensions = kExtensions;
   format.probe = probe;
   format.read = read;
+  format.facts = robot_file::facts;
   format.read_options = kReadOptions;
   return {format};
 }

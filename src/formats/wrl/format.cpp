@@ -37,6 +37,7 @@ Format format() {
   format.extensions = kExtensions;
   format.probe = probe;
   format.read = read;
+  format.facts = robot_file::facts;
   format.read_options = kReadOptions;
   return format;
 }

@@ -3,8 +3,10 @@
 // that must come out, derived beside it.
 
 #include <cmath>
+#include <limits>
 
 #include "formats/acclaim/arm.hpp"
+#include "formats/acclaim/kept.hpp"
 #include "kinefile/kinematics.hpp"
 
 namespace kinefile::test {
@@ -140,15 +142,23 @@ TEST(AcclaimDialects, ABoneOnOneLineAndEndBehindCofmass) {
   ASSERT_TRUE(read.document) << text_of(read.diagnostics);
   EXPECT_TRUE(read.diagnostics.items().empty()) << text_of(read.diagnostics);
   EXPECT_EQ(skeleton_of(*read.document).metres_per_unit, 0);  // no :units, nothing to assume
-  EXPECT_EQ(read.document->extras.joints.at("b").at("bodymass"), "2.5");
-  EXPECT_EQ(read.document->extras.joints.at("b").at("cofmass"), "0.3");
+  const acclaim::Bone* const bone = skeleton_of(*read.document).joints[1].kept.get<acclaim::Bone>();
+  ASSERT_NE(bone, nullptr);
+  EXPECT_EQ(bone->body_mass, "2.5");
+  EXPECT_EQ(bone->cof_mass, "0.3");
 }
 
 TEST(AcclaimDialects, LimitsMayBeInfiniteOrMissing) {
   const ReadText read =
       read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx ry\nlimits (-inf inf)\n (-1, 2.5)\n"));
   EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"ASF019"});
-  EXPECT_EQ(read.document->extras.joints.at("b").at("limits"), "-inf inf -1 2.5");
+  const auto& limits = skeleton_of(*read.document).joints[1].kept.get<acclaim::Bone>()->limits;
+  ASSERT_EQ(limits.size(), 2u);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(limits[0].low, -kInfinity);
+  EXPECT_EQ(limits[0].high, kInfinity);
+  EXPECT_EQ(limits[1].low, -1);
+  EXPECT_EQ(limits[1].high, 2.5);
   EXPECT_EQ(codes_of(read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx\n")).diagnostics),
             std::vector<std::string>{"ASF019"});
 }
@@ -264,7 +274,7 @@ TEST(AcclaimSkeletonOfAMotion, IsNamedByTheHeaderThenByTheFileThenTheOnlyOne) {
   const auto found = [&](const std::string& head, Resolver resolver) {
     options.companions = std::move(resolver);
     const ReadText read = read_acclaim("amc", head + frame, {}, options);
-    return read.document ? read.document->extras.file.at("skeleton") : std::string("none");
+    return read.document ? fact_of(*read.document, "skeleton") : std::string("none");
   };
   const auto all = beside({{"take.asf", good}, {"01_02.asf", good}, {"01.asf", good}});
   EXPECT_EQ(found("#!OML:ASF H:\\a\\take.asf\n", all), "take.asf");
@@ -305,6 +315,43 @@ TEST(AcclaimSkeletonOfAMotion, MustBeAsf) {
       read_acclaim("amc", "1\nroot 0 0 0 0 0 0\n", asf_with("axis 0 0 0 XYZ\n"), options);
   EXPECT_EQ(text_of(read.diagnostics),
             "t.bvh: error[AMC003]: expected an ASF skeleton, found bvh\n");
+}
+
+/// Reads a motion on a skeleton that was read before.
+ReadText read_on(const Document& skeleton, const std::string& text) {
+  ReadOptions options;
+  options.skeleton = std::make_shared<const Document>(skeleton);
+  options.skeleton_name = "given.asf";
+  return read_acclaim("amc", text, {}, options);
+}
+
+TEST(AcclaimSkeletonOfAMotion, IsTakenAsItWasBound) {
+  const std::string frame = ":DEGREES\n1\nroot 1 2 3 4 5 6\nb 7 8\n";
+  const std::string text = asf_with("axis 10 20 30 XYZ\ndof rz rx\nlimits (-1 1)\n(-2 2)\n",
+                                    "order TX TY TZ RX RY RZ\naxis XYZ\norientation 0 15 0\n");
+  const Document given = *read_acclaim("asf", text).document;
+  const ReadText read = read_on(given, frame);
+  ASSERT_TRUE(read.document) << text_of(read.diagnostics);
+  const auto& bound = skeleton_of(given).joints;
+  const auto& joints = skeleton_of(*read.document).joints;
+  ASSERT_EQ(joints.size(), bound.size());
+  EXPECT_EQ(joints[0].kept.get<acclaim::Root>(), bound[0].kept.get<acclaim::Root>());
+  EXPECT_EQ(joints[1].kept.get<acclaim::Bone>(), bound[1].kept.get<acclaim::Bone>());
+  EXPECT_NE(joints[1].kept.get<acclaim::Bone>(), nullptr);
+  const ReadText beside = read_acclaim("amc", frame, text);
+  EXPECT_EQ(write_to_string(*read.document, "amc"), write_to_string(*beside.document, "amc"));
+  EXPECT_EQ(write_to_string(*read.document, "asf"), write_to_string(*beside.document, "asf"));
+}
+
+TEST(AcclaimSkeletonOfAMotion, MayBeForcedToThreeRotations) {
+  const std::string frame = ":DEGREES\n:FORCE-ALL-JOINTS-BE-3DOF\n1\nroot 1 2 3 4 5 6\nb 7 8 9\n";
+  const std::string text = asf_with("axis 10 20 30 XYZ\ndof rz\nlimits (-1 1)\n");
+  const ReadText read = read_on(*read_acclaim("asf", text).document, frame);
+  const ReadText beside = read_acclaim("amc", frame, text);
+  ASSERT_TRUE(read.document) << text_of(read.diagnostics);
+  EXPECT_EQ(read.motion().skeleton.joints[1].dofs.size(), 3u);
+  EXPECT_EQ(write_to_string(*read.document, "amc"), write_to_string(*beside.document, "amc"));
+  EXPECT_EQ(write_to_string(*read.document, "asf"), write_to_string(*beside.document, "asf"));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(BvhRead, AutoTakesAbsolutePositionsForSuch) {
   ReadOptions automatic;
   automatic.of_formats = bvh::ReadOptions{bvh::PositionMode::Auto};
   const ReadText read = read_bvh(text, automatic);
-  EXPECT_EQ(read.document->extras.file.at("positions"), "replace");
+  EXPECT_EQ(fact_of(*read.document, "positions"), "replace");
   EXPECT_EQ(codes(text), std::vector<std::string>{});
 }
 
@@ -116,7 +116,7 @@ TEST(BvhRead, EncodingsGiveTheSameNames) {
   options.encoding = "cp932";
   const ReadText cp932 = read_bvh(replaced(kGood, "JOINT A", "JOINT \x89\x45\x98\x72"), options);
   EXPECT_EQ(cp932.motion().skeleton.joints[1].name, name);
-  EXPECT_EQ(cp932.document->extras.file.at("encoding"), "cp932");
+  EXPECT_EQ(fact_of(*cp932.document, "encoding"), "cp932");
   std::string utf16 = "\xFE\xFF";
   for (const char c : kGood) utf16 += {'\0', c};
   EXPECT_EQ(motion_of(utf16).clip.values, motion_of(kGood).clip.values);

@@ -62,12 +62,8 @@ TEST(SeqRealFiles, MotionsAreReadWrittenAndReadAgainBitForBitAsJsonToo) {
           *read.document, "choreonoid", {.of_formats = choreonoid::WriteOptions{.style = style}});
       const ReadText again = read_seq(text);
       expect_same_components(components_of(again), components, path);
-      const auto kept = [](const Document& document, const char* key) {
-        const auto found = document.extras.file.find(key);
-        return found == document.extras.file.end() ? "" : found->second;
-      };
       for (const char* key : {"version", "keys", "unknown_keys"}) {
-        EXPECT_EQ(kept(*again.document, key), kept(*read.document, key)) << path << " " << key;
+        EXPECT_EQ(fact_of(*again.document, key), fact_of(*read.document, key)) << path << key;
       }
       EXPECT_EQ(write_to_string(*again.document, "choreonoid"), text) << path;
     }

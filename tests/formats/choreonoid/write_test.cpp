@@ -227,7 +227,7 @@ TEST(SeqWrite, UnknownKeysStayAsTheyStand) {
     EXPECT_TRUE(has(written, part)) << part << written;
   }
   const auto kept = [](const std::string& text) {
-    return document_of(text).extras.file.at("unknown_keys");
+    return fact_of(document_of(text), "unknown_keys");
   };
   EXPECT_EQ(kept(written), kept(seq_of({}, top)));
   EXPECT_EQ(again(written), written);

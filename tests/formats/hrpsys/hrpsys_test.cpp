@@ -21,14 +21,16 @@ ReadText read_set(const Files& files) {
   return read;
 }
 
-std::string written_part(const Document& document, const std::string& part) {
-  std::string text;
+/// The files of a set of the stem "a", in the order in which they are written.
+Files written_set(const Document& document) {
+  const auto written = std::make_shared<std::vector<MemoryFile>>();
+  const OutputFiles files = files_in_memory(written);
   Diagnostics none;
-  WriteOptions options;
-  options.part = part;
-  const auto sink = [&](std::string_view piece) { return text += piece, true; };
-  EXPECT_TRUE(find_format("hrpsys")->write(document, options, sink, none)) << part;
-  return text;
+  EXPECT_TRUE(write("a", document, *find_format("hrpsys"), {}, files, none));
+  EXPECT_TRUE(files.commit());
+  Files named;
+  for (MemoryFile& file : *written) named.emplace_back(file.name, std::move(file.bytes));
+  return named;
 }
 
 TEST(HrpsysInvalid, EveryFileHasItsExactDiagnostics) {
@@ -119,14 +121,11 @@ TEST(Hrpsys, WhatIsWrittenReadsTheSame) {
               poses({"[ [ 1, 2, 3, 0.1, -0.2, 3 ] ]", "[ [ 4, 5, 6, 0.25, 0, 0 ] ]"}, "", "XYZRPY"),
               zmp({"[ 0.1, 0.2, 0.3 ]"}, "    isRootRelative: true\n")}));
   ASSERT_TRUE(seq.document) << text_of(seq.diagnostics);
-  Files files;
-  for (const std::string part : {".pos", ".waist", ".hip", ".zmp"}) {
-    files.emplace_back("a" + part, written_part(*seq.document, part));
-  }
-  EXPECT_EQ(files[0].second, "0 0.1 1e-300\n0.1 -0.5 2\n");
-  EXPECT_EQ(files[1].second, "0 1 2 3 0.1 -0.2 3\n0.1 4 5 6 0.25 0 0\n");
-  EXPECT_EQ(files[2].second, "0 0.1 -0.2 3\n0.1 0.25 0 0\n");
-  EXPECT_EQ(files[3].second, "0 0.1 0.2 0.3\n");
+  const Files files = written_set(*seq.document);
+  EXPECT_EQ(files, (Files{{"a.pos", "0 0.1 1e-300\n0.1 -0.5 2\n"},
+                          {"a.waist", "0 1 2 3 0.1 -0.2 3\n0.1 4 5 6 0.25 0 0\n"},
+                          {"a.hip", "0 0.1 -0.2 3\n0.1 0.25 0 0\n"},
+                          {"a.zmp", "0 0.1 0.2 0.3\n"}}));
   const auto back = read_set(files);
   ASSERT_EQ(components_of(back).size(), 3u);
   EXPECT_EQ(components_of(back)[0].values,
@@ -135,7 +134,7 @@ TEST(Hrpsys, WhatIsWrittenReadsTheSame) {
                 ->values);
   Diagnostics none;
   const Document empty{BodyMotion{}, "choreonoid", {}};
-  const auto refused = find_format("hrpsys")->write(empty, {}, nullptr, none);
+  const auto refused = find_format("hrpsys")->write_set(empty, {}, nullptr, none);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "HRP008");
 }

@@ -45,7 +45,7 @@ TEST(RobotRealFiles, HaveTheLinksAndJointsThatChoreonoidCounts) {
     const Document document = read_model(models() + name);
     const Skeleton& skeleton = skeleton_of(document);
     EXPECT_EQ(skeleton.joints.size(), counts.links) << name;
-    EXPECT_EQ(document.extras.file.at("num_joints"), std::to_string(counts.joints)) << name;
+    EXPECT_EQ(num_joint_ids(document), counts.joints) << name;
     EXPECT_EQ(skeleton.coordinates.size(), 7 + counts.joints + counts.virtual_joints) << name;
   }
 }

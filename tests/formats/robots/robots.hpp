@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/robot_file.hpp"
 #include "kinefile/kinefile.hpp"
 #include "support/support.hpp"
 
@@ -62,6 +63,13 @@ inline std::string joint_columns_of(const Skeleton& skeleton) {
   const auto all = column_names(skeleton);
   for (std::size_t c = 7; c < all.size(); ++c) names += (c == 7 ? "" : " ") + all[c];
   return names;
+}
+
+/// How many columns of joint ids a robot has.
+inline std::size_t num_joint_ids(const Document& document) {
+  const auto* const kept = document.kept.get<robot_file::KeptFile>();
+  EXPECT_NE(kept, nullptr);
+  return kept == nullptr ? 0 : kept->num_joint_ids;
 }
 
 inline std::size_t joint_of_name(const Skeleton& skeleton, const std::string& name) {

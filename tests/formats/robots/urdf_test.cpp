@@ -25,9 +25,9 @@ TEST(Urdf, JointsAreInTheOrderOfTheFileAndThoseThatMoveHaveIds) {
   const Skeleton& skeleton = skeleton_of(document);
   EXPECT_EQ(names_of(skeleton), "A C E B D");
   EXPECT_EQ(joint_columns_of(skeleton), "C.q D.q E.q");
-  EXPECT_EQ(document.extras.joints.at("D").at("joint_name"), "to_D");
-  EXPECT_EQ(document.extras.joints.at("E").at("joint_id"), "2");
-  EXPECT_EQ(document.extras.joints.at("A").count("joint_name"), 0u);
+  EXPECT_EQ(skeleton.joints[joint_of_name(skeleton, "D")].joint_name, "to_D");
+  EXPECT_EQ(skeleton.joints[joint_of_name(skeleton, "E")].dofs.at(0).coordinate, kRootColumns + 2);
+  EXPECT_EQ(skeleton.joints[joint_of_name(skeleton, "A")].joint_name, "");
 }
 
 TEST(Urdf, RollPitchAndYawTurnAboutFixedAxes) {

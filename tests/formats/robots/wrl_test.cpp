@@ -10,8 +10,8 @@ TEST(Wrl, JointsBecomeLinksWithIdsAndLimits) {
   EXPECT_EQ(skeleton.name, "ARM");
   EXPECT_EQ(names_of(skeleton), "BASE POST SLIDE HAND");
   EXPECT_EQ(joint_columns_of(skeleton), "POST.q BASE.q1 SLIDE.q");
-  EXPECT_EQ(document.extras.file.at("num_joints"), "3");
-  EXPECT_EQ(document.extras.joints.at("HAND").at("joint_name"), "hand");
+  EXPECT_EQ(num_joint_ids(document), 3u);
+  EXPECT_EQ(skeleton.joints[joint_of_name(skeleton, "HAND")].joint_name, "hand");
   const DegreeOfFreedom& post = skeleton.joints[1].dofs.at(0);
   EXPECT_EQ(post.lower, -2.5);
   EXPECT_EQ(post.upper, 3);

@@ -50,7 +50,7 @@ TEST(RobovieWrite, FilesOfEveryEncodingComeBackByteForByte) {
           write_to_string(document, "robovie", {.of_formats = robovie::WriteOptions{encoding}});
       const Document again = robovie_document(bytes);
       EXPECT_EQ(std::get<PoseFlow>(again.content), std::get<PoseFlow>(document.content));
-      EXPECT_EQ(again.extras.file.at("encoding").substr(0, encoding.size()), encoding);
+      EXPECT_EQ(fact_of(again, "encoding").substr(0, encoding.size()), encoding);
       EXPECT_EQ(write_to_string(again, "robovie"), bytes) << name << " " << encoding;
     }
     EXPECT_EQ(write_to_string(document, "robovie"), valid(name));

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/acclaim/syntax.hpp"
+#include "formats/files.hpp"
+
+namespace kinefile::acclaim {
+
+/// What says the frame rate of a motion.
+enum class RateSource { Asked, File, Assumed };
+
+/// What is kept of an AMC file.
+struct KeptMotion {
+  std::string skeleton_name;  ///< of its ASF file
+  std::string other_lines;    ///< before the first frame
+  bool forces_3dof = false;
+  RateSource rate = RateSource::Assumed;
+  std::vector<std::string> bone_order;  ///< the bones that have values, as the first frame has them
+};
+
+/// What a document keeps of an ASF file, or of an AMC file and its ASF file. Joints keep the `Root`
+/// and the `Bone` that they were made of.
+struct KeptFile {
+  TextLayout text;  ///< of the file that was read, of an AMC file not of its skeleton
+  AsfFile asf;      ///< without the root and the bones
+  std::optional<KeptMotion> motion;
+};
+
+/// What is kept of a skeleton's file.
+inline AsfFile kept_of(AsfFile file) {
+  file.root = {};
+  file.bones.clear();
+  if (!file.angle) file.angle = AngleUnit::Degrees;
+  return file;
+}
+
+/// What a document keeps of an ASF or AMC file; nothing of others.
+inline KeptFile kept_file_of(const Document& document) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  return kept != nullptr ? *kept : KeptFile{};
+}
+
+/// The facts of a document of either format.
+std::vector<Fact> facts(const Document& document);
+
+}  // namespace kinefile::acclaim

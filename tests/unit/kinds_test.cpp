@@ -79,7 +79,8 @@ TEST(Kinds, EveryFormatTakesOrRefusesEveryDocument) {
       const bool is_taken =
           is_written(format) && contains(format.conventions.writes, named.document);
       const OutputFiles files = files_in_memory(std::make_shared<std::vector<MemoryFile>>());
-      const auto written = write("out", named.document, format, {}, files, diagnostics);
+      const WriteOptions alone = {.writes_companion = false};
+      const auto written = write("out", named.document, format, alone, files, diagnostics);
       if (is_taken) continue;  // what it holds may still be refused
       ASSERT_FALSE(written);
       EXPECT_EQ(written.error().kind, ErrorKind::Usage) << to_string(written.error());

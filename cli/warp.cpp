@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "numbers.hpp"
 #include "report.hpp"
@@ -45,16 +46,10 @@ std::string check_ease(const std::string& text) {
                                   : "expected an ease such as smooth, in-out:3, bezier:0.4,0,0.6,1";
 }
 
-std::vector<retime::WarpKey> keys_of(const Warp& warp, const Timeline& timeline) {
+std::vector<retime::WarpKey> keys_of(const Warp& warp) {
   std::vector<retime::WarpKey> keys;
   for (const std::string& text : warp.keys) {
-    for (const std::string& part : CLI::detail::split(text, ',')) {
-      retime::WarpKey key = *parse_key(part);
-      if (warp.is_in_seconds) {
-        key = {frame_at_time(timeline, key.old_frame), frame_at_time(timeline, key.new_frame)};
-      }
-      keys.push_back(key);
-    }
+    for (const std::string& part : CLI::detail::split(text, ',')) keys.push_back(*parse_key(part));
   }
   return keys;
 }
@@ -63,7 +58,7 @@ Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
                                  Diagnostics& diagnostics) {
   const Clip clip = clip_of(document);
   retime::WarpOptions options;
-  options.keys = keys_of(warp, clip.timeline);
+  options.keys = keys_of(warp);
   if (warp.tail == "extend") options.tail = retime::Tail::Extend;
   if (warp.tail == "uniform") options.tail = retime::Tail::Uniform;
   if (warp.curve == "pchip") options.curve = retime::WarpCurve::Pchip;
@@ -82,17 +77,8 @@ Result<retime::TimeMap> make_map(const Warp& warp, const Document& document,
     if (!weights) return fail(std::move(weights.error()));
     options.weights = std::move(*weights);
   }
-  auto map = retime::warp_map(clip.num_frames, options);
-  if (map && has_own_times(clip.timeline)) {
-    // A new frame happens when the old one of its number did.
-    FrameTimes times;
-    times.per_second = frame_rate(clip.timeline);
-    for (std::size_t f = 0; f < map->old_frames.size(); ++f) {
-      times.seconds.push_back(time_of_frame(clip.timeline, f));
-    }
-    map->timeline = Timeline{std::move(times), clip.timeline.first_frame_number};
-  }
-  return map;
+  return retime::warp_map(clip.timeline, clip.num_frames, std::move(options), warp.is_in_seconds,
+                          diagnostics);
 }
 
 int run(const Warp& warp, const Globals& globals) {

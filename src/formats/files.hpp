@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string_view>
 #include <utility>
 
@@ -31,6 +33,16 @@ inline Result<void> expect_kind(const Document& document, const Kinds& kinds,
                                 std::string_view wanted) {
   if (!contains(kinds, document)) return fail(wrong_kind(document, wanted));
   return validate(document);
+}
+
+/// \param name  the format's, which has no place for times of single frames
+/// \errors `code` (DataLoss) if frames have times of their own
+inline Result<void> expect_steady(const Clip& clip, const char* code, std::string_view name) {
+  if (clip.num_frames == 0 || !has_own_times(clip.timeline)) return {};
+  return fail(make_error(ErrorKind::DataLoss, code,
+                         fmt::format("{} has no place for times of single frames; resample the "
+                                     "motion, or bring it to a steady rate, first",
+                                     name)));
 }
 
 /// The line end that a document's file had, "\n" or "\r\n"; "\n" where nothing is kept of it.

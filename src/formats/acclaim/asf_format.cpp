@@ -105,6 +105,7 @@ Format asf_format() {
   format.write = write_asf;
   format.conventions.writes = kAsfWrites;
   format.conventions.has_one_end = true;
+  format.conventions.keeps_times = true;  // it has no frames
   format.read_options = kAsfReadOptions;
   format.write_options = kAsfWriteOptions;
   return format;

@@ -97,6 +97,11 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
       !taken) {
     return taken;
   }
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (motion != nullptr) {
+    auto steady = expect_steady(motion->clip, code::kNotExpressible, "BVH");
+    if (!steady) return steady;
+  }
   const Skeleton& skeleton = skeleton_of(document);
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
@@ -109,7 +114,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
       document.format == "bvh" ? kept_line_end(document.extras) : "\n";
   text::Printer printer(sink, options.decimals);
   print_hierarchy(printer, unbound->file, line_end);
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
+  if (motion != nullptr) {
     print_motion(printer, *unbound, motion->clip, line_end);
   }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));

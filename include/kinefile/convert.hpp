@@ -55,6 +55,11 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
 Result<Document> at_steady_rate(const Format& format, Document document, bool lenient,
                                 Diagnostics& diagnostics);
 
+/// Takes helper bones out (see `shape::without_helper_bones`) where a document of a format of bones
+/// goes into another kind of format; a note tells it. `in_kind_of` and `adapted_to` do so first.
+/// \param document  valid
+Document without_helper_bones(const Format& format, Document document, Diagnostics& diagnostics);
+
 /// Whether `in_kind_of` has a use for a model of the robot.
 bool uses_model(const Format& format, const Document& document, const KindOptions& options);
 

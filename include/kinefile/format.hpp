@@ -93,8 +93,8 @@ struct Conventions {
   /// Whether a body motion is the root's pose, the joints and a ZMP relative to the root.
   bool is_root_and_joints = false;
   std::optional<FlowFormat> flow_format = std::nullopt;  ///< the one that flows have; absent: any
-  /// Whether it has a place for times of single frames; a motion that goes into another format is
-  /// interpolated to a steady rate first.
+  /// Whether it has a place for times of single frames, or no frames; a motion that goes into
+  /// another format is interpolated to a steady rate first.
   bool keeps_times = false;
 };
 

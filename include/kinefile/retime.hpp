@@ -90,6 +90,14 @@ struct WarpOptions {
 ///         or a reversal that is not allowed, no room for them; or more frames than 2^27
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options);
 
+/// As `warp_map` of so many frames; keys may be in seconds. Frames with times of their own are
+/// shown at a steady rate (see `rate_for`), told in a note (RTM009): time runs between the keys
+/// evenly in seconds, not in frames. Old frames of keys are the motion's own, new ones are counted
+/// at the new rate.
+/// \errors RTM001 (Usage) as there; RTM002 (Usage) if the frames' own times do not rise
+Result<TimeMap> warp_map(const Timeline& timeline, std::size_t num_frames, WarpOptions options,
+                         bool keys_in_seconds, Diagnostics& diagnostics);
+
 /// The map to another frame rate: the same duration, the end included. Where the duration is no
 /// whole number of new frames, a last frame that shows the end is added.
 /// Frame times that were cut off from a whole rate (0.0083333) stand for that rate, see

@@ -75,7 +75,8 @@ enum class BodyForm {
 };
 
 /// Makes a body motion of a motion. Of a robot (a free root, joints of one degree of freedom),
-/// values stay as they are; any other motion's joints become links. Lengths become metres.
+/// values stay as they are; any other motion's joints become links. Lengths become metres, angles
+/// radians.
 /// \param other  a body motion whose further components (ZMP, ...) go along; may be null
 /// \errors BRG013 (Usage) if `form` wants joints and the motion is not a robot's
 Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion* other,

@@ -33,14 +33,23 @@ Motion without_inner_tips(const Motion& motion);
 
 /// The same motion of a skeleton of bones, as ASF has it: one root called "root", and joints each
 /// of which has one tip, its end, where all of its children sit. Where children sit in several
-/// places, or a joint has several tips, bones without degrees of freedom lead there, named
-/// JOINT_to_CHILD and JOINT_end. A root of another name becomes a bone of no length on the root.
-/// Positions of other joints are told from the rest pose on, so that all coordinates rest at 0;
-/// those that never leave it are left out. Names that ASF could not hold are changed.
-/// Joints below the root that rest turned get the world's axes (see `with_world_aligned_rest`).
-/// What was added, changed or left out is told in notes; positions of joints stay.
-/// \errors BRG003 (DataLoss) if there are several roots, or joints are scaled, or move freely
+/// places, or a joint has several tips, helper bones lead there: they have no degrees of freedom
+/// and names that end in `_kf_helper`, behind the name of the child, of the tip, or JOINT_end. A
+/// root of another name gets a helper of that name as its first bone, or a bone of that name if it
+/// moves its tail. `without_helper_bones` is the way back. Positions of other joints are told from
+/// the rest pose on, so that all coordinates rest at 0; those that never leave it are left out.
+/// Names that ASF could not hold are changed. Joints below the root that rest turned get the
+/// world's axes (see `with_world_aligned_rest`). What was added, changed or left out is told in
+/// notes; positions of joints stay. \errors BRG003 (DataLoss) if there are several roots, or joints
+/// are scaled, or move freely
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics);
+
+/// The same motion without the helper bones that `with_bones` adds: joints below a root whose names
+/// end in `_kf_helper`, without degrees of freedom, columns and rest rotations. What hangs on them
+/// hangs on the joint above, by the sum of the offsets; a tip that they lead to becomes that
+/// joint's; a root called "root" gets the name that its first bone keeps, if no joint has it.
+/// Everything else stays as it is, every value too. A note tells what was taken out.
+Motion without_helper_bones(Motion motion, Diagnostics& diagnostics);
 
 /// Puts a motion on another skeleton, joint by joint of the same name (its case counts only where
 /// two joints differ by case alone); the first joints of both belong together whatever their names.

@@ -80,7 +80,25 @@ Motion with_ends(Motion motion) {
   return motion;
 }
 
+/// Whether a document comes from a format of bones and goes into one of another kind of skeletons.
+bool leaves_bones(const Format& format, const Document& document) {
+  const Format* from = find_format(document.format);
+  return from != nullptr && from->conventions.has_one_end && !format.conventions.has_one_end &&
+         has_skeleton(document);
+}
+
 }  // namespace
+
+Document without_helper_bones(const Format& format, Document document, Diagnostics& diagnostics) {
+  if (!leaves_bones(format, document)) return document;
+  Motion bare = shape::without_helper_bones(still_or_moving(document), diagnostics);
+  if (std::holds_alternative<Motion>(document.content)) {
+    document.content = std::move(bare);
+  } else {
+    document.content = std::move(bare.skeleton);
+  }
+  return document;
+}
 
 Result<Document> adapted_to(const Format& format, Document document,
                             const shape::ChannelOptions& channels, Diagnostics& diagnostics) {
@@ -94,6 +112,7 @@ Result<Document> adapted_to(const Format& format, Document document,
     return fail(wrong_kind(document, "a motion or a skeleton, which have channels"));
   }
   if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
+  document = without_helper_bones(format, std::move(document), diagnostics);
   const bool has_motion = std::holds_alternative<Motion>(document.content);
   const Motion motion = still_or_moving(document);
   auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)

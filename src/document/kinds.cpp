@@ -341,7 +341,7 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
   }
   auto steady = at_steady_rate(format, std::move(document), options.lenient, diagnostics);
   if (!steady) return steady;
-  document = std::move(*steady);
+  document = without_helper_bones(format, std::move(*steady), diagnostics);
   const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
   const bool is_onto_joints =
       options.model != nullptr && goes_onto_joints(conventions, document, options);

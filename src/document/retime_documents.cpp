@@ -24,14 +24,6 @@ std::pair<const Timeline*, std::size_t> main_frames(const Document& document) {
   return {&main.timeline, main.num_frames};
 }
 
-/// A new frame happens when the old one of its number did.
-Timeline with_times_of(const Timeline& old, std::size_t num_frames) {
-  FrameTimes times;
-  times.per_second = frame_rate(old);
-  for (std::size_t f = 0; f < num_frames; ++f) times.seconds.push_back(time_of_frame(old, f));
-  return Timeline{std::move(times), old.first_frame_number};
-}
-
 Result<std::vector<double>> weights_of(const Document& document, Diagnostics& diagnostics) {
   const Motion* motion = std::get_if<Motion>(&document.content);
   if (motion != nullptr) return contact_weights(*motion, diagnostics);
@@ -52,20 +44,12 @@ Result<TimeMap> warp_map(const Document& document, const DocumentWarp& warp,
   if (auto fit = expect_frames(document); !fit) return fail(std::move(fit.error()));
   const auto [timeline, num_frames] = main_frames(document);
   WarpOptions options = warp.options;
-  for (WarpKey& key : options.keys) {
-    if (!warp.keys_in_seconds) break;
-    key = {frame_at_time(*timeline, key.old_frame), frame_at_time(*timeline, key.new_frame)};
-  }
   if (warp.follows_contacts) {
     auto weights = weights_of(document, diagnostics);
     if (!weights) return fail(std::move(weights.error()));
     options.weights = std::move(*weights);
   }
-  auto map = warp_map(num_frames, options);
-  if (map && has_own_times(*timeline)) {
-    map->timeline = with_times_of(*timeline, map->old_frames.size());
-  }
-  return map;
+  return warp_map(*timeline, num_frames, std::move(options), warp.keys_in_seconds, diagnostics);
 }
 
 Result<TimeMap> align_map(const Document& document, const Document& reference,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,6 +69,16 @@ inline std::vector<Fact> facts_of(const TextLayout& layout) {
 inline std::vector<Fact> facts_of_layout(const Document& document) {
   const TextLayout* const kept = document.kept.get<TextLayout>();
   return kept == nullptr ? std::vector<Fact>() : facts_of(*kept);
+}
+
+/// \param name  the format's, which has no place for times of single frames
+/// \errors `code` (DataLoss) if frames have times of their own
+inline Result<void> expect_steady(const Clip& clip, const char* code, std::string_view name) {
+  if (clip.num_frames == 0 || !has_own_times(clip.timeline)) return {};
+  return fail(make_error(ErrorKind::DataLoss, code,
+                         fmt::format("{} has no place for times of single frames; resample the "
+                                     "motion, or bring it to a steady rate, first",
+                                     name)));
 }
 
 }  // namespace kinefile

@@ -10,8 +10,8 @@
 namespace kinefile {
 namespace {
 
-constexpr double kSudden = 90;                 // degrees
-constexpr std::size_t kMostFramesOfSpike = 5;  // that a spike lasts
+constexpr double kSudden = 90;            // degrees
+constexpr std::size_t kLongestSpike = 5;  // frames
 
 /// The angle that a joint turns by between two frames, in degrees; nothing without two rotations.
 std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, std::size_t a,
@@ -27,7 +27,7 @@ std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, s
 /// The frame of `poses` in which a joint is back after a turn between `before` and the next frame.
 std::optional<std::size_t> return_after(const LocalPoses& poses, std::size_t joint,
                                         std::size_t before, double degrees) {
-  const std::size_t end = std::min(before + 2 + kMostFramesOfSpike, poses.num_frames);
+  const std::size_t end = std::min(before + 2 + kLongestSpike, poses.num_frames);
   for (std::size_t f = before + 2; f < end; ++f) {
     const auto left = turn_between(poses, joint, before, f);
     if (left && *left < degrees / 2) return f;
@@ -60,7 +60,7 @@ std::vector<SuddenTurn> find_sudden_turns(const Motion& motion) {
   std::vector<std::size_t> next(motion.skeleton.joints.size(), 0);
   KinematicsOptions options;
   options.rotations = true;
-  options.num_frames = block + 1 + kMostFramesOfSpike;  // a turn is followed into the next block
+  options.num_frames = block + 1 + kLongestSpike;  // a turn is followed into the next block
   for (; options.first_frame < motion.clip.num_frames; options.first_frame += block) {
     const LocalPoses poses = local_poses(motion.skeleton, motion.clip, options);
     for (std::size_t j = 0; j < next.size(); ++j) find_turns(poses, j, block, next[j], turns);

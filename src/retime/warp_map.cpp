@@ -248,7 +248,76 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
   return plan;
 }
 
+/// A value between those of the frames beside it.
+double value_at(const std::vector<double>& values, double frame) {
+  const auto before = static_cast<std::size_t>(frame);
+  const double share = frame - static_cast<double>(before);
+  if (share == 0 || before + 1 >= values.size()) return values[std::min(before, values.size() - 1)];
+  return on_whole_frame(values[before] + share * (values[before + 1] - values[before]));
+}
+
+/// Counts the old frames of keys, and weights, in frames of a steady rate.
+/// \param steady  the old frame that each of those shows
+Result<void> count_steadily(const std::vector<double>& steady, double last_frame,
+                            WarpOptions& options) {
+  for (WarpKey& key : options.keys) {
+    auto checked = check_key({key.new_frame, key.old_frame}, last_frame);
+    if (!checked) return checked;
+    const FramePosition position = position_in_time(steady, key.old_frame);
+    key.old_frame = on_whole_frame(static_cast<double>(position.frame) + position.share);
+  }
+  if (options.weights.empty()) return {};
+  std::vector<double> weights;
+  for (const double frame : steady) weights.push_back(value_at(options.weights, frame));
+  options.weights = std::move(weights);
+  return {};
+}
+
+/// The map through keys for frames that have times of their own.
+Result<TimeMap> warp_by_times(const Timeline& timeline, std::size_t num_frames, WarpOptions options,
+                              Diagnostics& diagnostics) {
+  const auto rate = rate_for(timeline);
+  if (!rate) return fail(rate.error());
+  auto checked = check_weights(options.weights, num_frames);
+  if (!checked) return fail(std::move(checked.error()));
+  Clip clip;
+  clip.timeline = timeline;
+  clip.num_frames = num_frames;
+  const auto steady = steady_map(clip, rate->per_second, time_of_frame(timeline, 0));
+  if (!steady) return fail(steady.error());
+  const double last_frame = static_cast<double>(num_frames) - 1;
+  auto counted = count_steadily(steady->old_frames, last_frame, options);
+  if (!counted) return fail(std::move(counted.error()));
+  auto map = warp_map(steady->old_frames.size(), options);
+  if (!map) return map;
+  for (double& frame : map->old_frames) frame = value_at(steady->old_frames, frame);
+  map->timeline = steady->timeline;
+  diagnostics.add(Severity::Note, "RTM009",
+                  fmt::format("frames have times of their own; the motion is shown at {} frames a "
+                              "second, in which new frames are counted",
+                              rate->per_second));
+  return map;
+}
+
+/// The frame at which a key in seconds is new.
+double new_frame_at(const Timeline& timeline, double seconds) {
+  if (!has_own_times(timeline)) return frame_at_time(timeline, seconds);
+  const auto rate = rate_for(timeline);
+  return rate ? without_rounding(seconds * rate->per_second) : seconds;
+}
+
 }  // namespace
+
+Result<TimeMap> warp_map(const Timeline& timeline, std::size_t num_frames, WarpOptions options,
+                         bool keys_in_seconds, Diagnostics& diagnostics) {
+  for (WarpKey& key : options.keys) {
+    if (!keys_in_seconds) break;
+    key = {frame_at_time(timeline, key.old_frame), new_frame_at(timeline, key.new_frame)};
+  }
+  const bool is_irregular = num_frames > 1 && has_own_times(timeline);
+  return is_irregular ? warp_by_times(timeline, num_frames, std::move(options), diagnostics)
+                      : warp_map(num_frames, options);
+}
 
 Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options) {
   if (static_cast<double>(num_frames) > kMostFrames) {

@@ -8,6 +8,7 @@
 
 #include "base/words.hpp"
 #include "kinefile/robot.hpp"
+#include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::robot {
 namespace {
@@ -163,14 +164,34 @@ struct FreedJoint {
   std::size_t new_column;
 };
 
-/// Turns a row's free pose into positions and angles, the latter nearest to those before.
-void free_row(std::span<const double> pose, std::span<double> out, Vec3& near) {
-  const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
-  Quat q(pose[3], pose[4], pose[5], pose[6]);
-  q = q.squaredNorm() > 0 ? q.normalized() : Quat::Identity();
-  near = euler_angles(q.toRotationMatrix(), axes, near);
-  std::copy_n(pose.begin(), 3, out.begin());
-  for (std::size_t k = 0; k < 3; ++k) out[3 + k] = near[static_cast<Eigen::Index>(k)];
+/// The axes of the angles that a joint gets which moved freely.
+EulerAxes freed_axes() { return {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()}; }
+
+/// The rotation of a free pose; none where its quaternion is zero.
+Quat rotation_of_pose(std::span<const double> pose) {
+  const Quat q(pose[3], pose[4], pose[5], pose[6]);
+  return q.squaredNorm() > 0 ? q.normalized() : Quat::Identity();
+}
+
+/// Turns the free poses of a joint into positions and angles, each near the ones before.
+void write_freed(const Clip& from, const FreedJoint& joint, AngleUnit unit, const Rows& rows) {
+  rotation::AngleFinder finder(freed_axes(), unit == AngleUnit::Degrees, Vec3::Zero());
+  simd::Quaternions quaternions;
+  simd::Angles angles;
+  for (const FrameBatch& frames : batches_of(from.num_frames)) {
+    rotation::resize(quaternions, frames.count);
+    rotation::resize(angles, frames.count);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const auto pose = from.row(frames.first + i).subspan(joint.old_column, 7);
+      rotation::put_quaternion(rotation_of_pose(pose), i, quaternions);
+      std::copy_n(pose.begin(), 3, &rows[frames.first + i][joint.new_column]);
+    }
+    finder.find(quaternions, frames.count, angles);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const auto out = rows[frames.first + i].subspan(joint.new_column + 3, 3);
+      for (std::size_t k = 0; k < 3; ++k) out[k] = angles[k][i];
+    }
+  }
 }
 
 }  // namespace
@@ -212,14 +233,14 @@ Motion without_free_joints(const Motion& motion) {
     const auto own = std::find_if(freed.begin(), freed.end(), [&](const FreedJoint& candidate) {
       return candidate.old_column == joint.dofs[0].coordinate;
     });
-    std::array<double, 6> rest{};
-    Vec3 near = Vec3::Zero();
-    free_row(joint.free_rest, rest, near);
+    const Vec3 angles =
+        euler_angles(rotation_of_pose(joint.free_rest).toRotationMatrix(), freed_axes());
     joint.dofs.clear();
     for (std::size_t k = 0; k < 6; ++k) {
       const auto axis = static_cast<Eigen::Index>(k < 3 ? k : 5 - k);
-      joint.dofs.push_back({k < 3 ? DofKind::Translation : DofKind::Rotation, Vec3::Unit(axis),
-                            own->new_column + k, k < 3 ? rest[k] : rest[k] / radians});
+      joint.dofs.push_back(
+          {k < 3 ? DofKind::Translation : DofKind::Rotation, Vec3::Unit(axis), own->new_column + k,
+           k < 3 ? joint.free_rest[k] : angles[static_cast<Eigen::Index>(k - 3)] / radians});
     }
   }
   Clip& clip = changed.clip;
@@ -227,18 +248,15 @@ Motion without_free_joints(const Motion& motion) {
   clip.num_coordinates = skeleton.coordinates.size();
   clip.timeline = motion.clip.timeline;
   clip.values.resize(clip.num_frames * clip.num_coordinates);
-  std::vector<Vec3> near(freed.size(), Vec3::Zero());
+  const Rows rows = clip.mutate();
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto from = motion.clip.row(f);
-    const auto to = clip.mutate()[f];
     for (std::size_t c = 0; c < old_columns.size(); ++c) {
-      if (old_columns[c] != kNoParent) to[c] = from[old_columns[c]];
+      if (old_columns[c] != kNoParent) rows[f][c] = from[old_columns[c]];
     }
-    for (std::size_t i = 0; i < freed.size(); ++i) {
-      const auto out = to.subspan(freed[i].new_column, 6);
-      free_row(from.subspan(freed[i].old_column, 7), out, near[i]);
-      for (std::size_t k = 3; k < 6; ++k) out[k] /= radians;
-    }
+  }
+  for (const FreedJoint& joint : freed) {
+    write_freed(motion.clip, joint, skeleton.angle_unit, rows);
   }
   return changed;
 }

@@ -23,8 +23,26 @@ Component component_like(ComponentKind kind, std::string_view content, const Mot
   return component;
 }
 
+double metres_per_unit(const Skeleton& skeleton) {
+  return skeleton.metres_per_unit > 0 ? skeleton.metres_per_unit : 1.0;
+}
+
+/// What makes metres and radians of a robot's columns; shape (columns).
+std::vector<double> factors_of_columns(const Skeleton& skeleton) {
+  std::vector<double> factors(skeleton.coordinates.size(), 1.0);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const bool is_angle = dof.kind == DofKind::Rotation;
+      const double factor = is_angle ? radians_per(skeleton.angle_unit) : metres_per_unit(skeleton);
+      const std::size_t count = dof.kind == DofKind::Free ? 3 : 1;  // its quaternion has no unit
+      std::fill_n(factors.begin() + static_cast<std::ptrdiff_t>(dof.coordinate), count, factor);
+    }
+  }
+  return factors;
+}
+
 Component links_of(const Motion& motion) {
-  const double scale = motion.skeleton.metres_per_unit > 0 ? motion.skeleton.metres_per_unit : 1.0;
+  const double scale = metres_per_unit(motion.skeleton);
   Component links =
       component_like(ComponentKind::Poses, kLinkPosition, motion, motion.skeleton.joints.size());
   std::vector<Quat> before(links.num_parts, Quat::Identity());
@@ -46,12 +64,14 @@ Component links_of(const Motion& motion) {
   return links;
 }
 
-/// The columns from one to another as a component.
+/// The columns from one to another as a component, in metres and radians.
 Component columns_of(const Motion& motion, std::size_t begin, std::size_t end,
                      Component component) {
+  const std::vector<double> factors = factors_of_columns(motion.skeleton);
   for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
     const auto row = motion.clip.row(f).subspan(begin, end - begin);
-    component.values.append(row);
+    const std::span<double> values = component.values.grow(row.size());
+    for (std::size_t c = 0; c < row.size(); ++c) values[c] = row[c] * factors[begin + c];
   }
   return component;
 }

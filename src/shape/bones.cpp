@@ -8,6 +8,7 @@
 
 #include "base/words.hpp"
 #include "kinefile/shape.hpp"
+#include "shape/helper_bones.hpp"
 
 namespace kinefile::shape {
 namespace {
@@ -30,9 +31,10 @@ struct Builder {
   Motion result = {};
   std::vector<NewColumn> columns = {};
   std::set<std::string> names = {"root"};               ///< in lower case
+  std::set<std::string> names_of_joints = {};           ///< that no helper may have, in lower case
   std::map<std::string, std::size_t> last_number = {};  ///< that made a name unique
   std::vector<std::size_t> new_of_old = {};             ///< the joint that an old one became
-  std::vector<std::string> added = {};                  ///< bones that lead somewhere
+  std::vector<std::string> added = {};                  ///< helper bones that lead somewhere
   std::vector<std::string> renamed = {};
   std::vector<std::string> with_positions = {};     ///< joints other than roots that move so
   std::vector<std::string> without_positions = {};  ///< and those that could, but never do
@@ -47,6 +49,19 @@ std::string unique_name(Builder& builder, const std::string& wanted) {
   while (!builder.names.insert(lowered(name)).second) {
     number = std::max<std::size_t>(number, 1) + 1;
     name = fmt::format("{}_{}", wanted, number);
+  }
+  return name;
+}
+
+/// A name for a helper bone that no joint has.
+std::string helper_name(Builder& builder, const std::string& stem,
+                        std::string_view suffix = kHelperSuffix) {
+  std::string name = as_bone_name(fmt::format("{}{}", stem, suffix));
+  std::size_t& number = builder.last_number[lowered(name)];
+  while (builder.names_of_joints.contains(lowered(name)) ||
+         !builder.names.insert(lowered(name)).second) {
+    number = std::max<std::size_t>(number, 1) + 1;
+    name = as_bone_name(fmt::format("{}_{}{}", stem, number, suffix));
   }
   return name;
 }
@@ -118,7 +133,7 @@ void add_tips(Builder& builder, const Joint& old, std::size_t holder, const Vec3
   for (const Tip& tip : old.tips) {
     if (tip.offset == end && !std::exchange(is_end_taken, true)) continue;
     const std::string wanted = tip.name.empty() ? old.name + "_end" : tip.name;
-    const std::string name = unique_name(builder, as_bone_name(wanted));
+    const std::string name = helper_name(builder, wanted);
     add_joint(builder, name, holder, tip.offset - end);
     builder.added.push_back(name);
   }
@@ -126,16 +141,29 @@ void add_tips(Builder& builder, const Joint& old, std::size_t holder, const Vec3
 
 /// The joint on which a child hangs: its parent's, or a bone that leads to where the child sits.
 std::size_t holder_of_child(Builder& builder, const Joint& child) {
-  const Skeleton& skeleton = builder.motion.skeleton;
-  const Joint& parent = skeleton.joints[child.parent];
   const std::size_t holder = builder.new_of_old[child.parent];
   const Joint& bone = builder.joints()[holder];
   const Vec3 end = bone.parent == kNoParent ? Vec3(Vec3::Zero()) : bone.tips.front().offset;
   if (rest_offset(child) == end) return holder;
-  const std::string name =
-      unique_name(builder, as_bone_name(fmt::format("{}_to_{}", parent.name, child.name)));
+  const std::string name = helper_name(builder, child.name);
   builder.added.push_back(name);
   return add_joint(builder, name, holder, rest_offset(child) - end);
+}
+
+/// Adds the bone that keeps the root's old name: a helper, unless it has a tail to move.
+std::size_t add_named_bone(Builder& builder, std::size_t old_index, const Vec3& end) {
+  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const bool has_tail = std::any_of(old.dofs.begin(), old.dofs.end(), [](const auto& dof) {
+    return dof.kind == DofKind::TailTranslation;
+  });
+  const std::string wanted = has_tail ? old.name : fmt::format("{}{}", old.name, kRootHelperSuffix);
+  const std::string name = has_tail ? unique_name(builder, as_bone_name(old.name))
+                                    : helper_name(builder, old.name, kRootHelperSuffix);
+  if (name != wanted) builder.renamed.push_back(old.name + "' to '" + name);
+  const std::size_t index = add_joint(builder, name, 0, end);
+  builder.joints()[index].kept = old.kept;
+  add_dofs(builder, old_index, index, true, Dofs::OfTail);
+  return index;
 }
 
 /// Adds the root, and a bone of its old name if it had another one.
@@ -162,10 +190,7 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
     if (old.name != "root") builder.renamed.push_back(old.name + "' to 'root");
   } else {
     end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
-    const std::string name = unique_name(builder, as_bone_name(old.name));
-    builder.new_of_old.back() = add_joint(builder, name, 0, end);
-    builder.joints().back().kept = old.kept;
-    add_dofs(builder, old_index, builder.new_of_old.back(), true, Dofs::OfTail);
+    builder.new_of_old.back() = add_named_bone(builder, old_index, end);
   }
   add_tips(builder, old, builder.new_of_old.back(), end);
 }
@@ -273,9 +298,8 @@ void tell_changes(Builder& builder) {
     if (names.empty()) return;
     builder.diagnostics.add(severity, kNoteCode, fmt::format("{}: {}", text, listed(names)));
   };
-  note(
-      Severity::Note, builder.added,
-      "bones without degrees of freedom lead to joints and tips that do not sit where a bone ends");
+  note(Severity::Note, builder.added,
+       "helper bones lead to joints and tips that do not sit where a bone ends");
   note(Severity::Warning, builder.renamed, "names that no bone can have were changed");
   note(Severity::Note, builder.without_positions,
        "positions of joints that never leave their offset are left out");
@@ -306,6 +330,9 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
   builder.result.skeleton.name = motion.skeleton.name;
   builder.result.skeleton.angle_unit = motion.skeleton.angle_unit;
   builder.result.skeleton.metres_per_unit = motion.skeleton.metres_per_unit;
+  for (const Joint& joint : motion.skeleton.joints) {
+    builder.names_of_joints.insert(lowered(as_bone_name(joint.name)));
+  }
   const auto children = children_of_joints(motion.skeleton);
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
     if (motion.skeleton.joints[j].parent == kNoParent) {

@@ -167,6 +167,70 @@ TEST(ShapeProperties, BonesKeepTheWorld) {
   EXPECT_GT(num_accepted, 260);
 }
 
+bool has_helpers(const Skeleton& skeleton) {
+  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
+                     [](const Joint& joint) { return joint.name.ends_with("_kf_helper"); });
+}
+
+TEST(ShapeProperties, WithoutHelperBonesTheJointsAreThoseOfBefore) {
+  RandomSource random(110);
+  int num_with_helpers = 0;
+  for (int i = 0; i < 300; ++i) {
+    Motion motion = random_motion(
+        random, {.tail_scales = false, .several_roots = false, .without_frames = i % 10 == 0});
+    for (Joint& joint : motion.skeleton.joints) {  // a tip at its joint is where bones may start
+      std::erase_if(joint.tips, [](const Tip& tip) { return tip.offset.isZero(0); });
+    }
+    Diagnostics ignored;
+    const auto bones = shape::with_bones(motion, false, ignored);
+    ASSERT_TRUE(bones);
+    const ExpectUnchanged unchanged(*bones);
+    Diagnostics diagnostics;
+    const Motion back = shape::without_helper_bones(*bones, diagnostics);
+    num_with_helpers += has_helpers(bones->skeleton) ? 1 : 0;
+    EXPECT_EQ(count_code(diagnostics, "BRG005") > 0, has_helpers(bones->skeleton));
+    EXPECT_FALSE(has_helpers(back.skeleton));
+    EXPECT_TRUE(same_bits(back.clip.values, bones->clip.values));
+    // A root that moves its tail is a bone of its own there.
+    const std::size_t num_more = has_tail_translation(motion.skeleton.joints[0]) ? 1 : 0;
+    ASSERT_EQ(back.skeleton.joints.size(), motion.skeleton.joints.size() + num_more) << i;
+    for (std::size_t j = num_more; j < motion.skeleton.joints.size(); ++j) {
+      const Joint& joint = back.skeleton.joints[j + num_more];
+      EXPECT_EQ(joint.name, motion.skeleton.joints[j].name);
+      if (j > 0) {
+        EXPECT_EQ(joint.parent, motion.skeleton.joints[j].parent + num_more);
+      }
+    }
+    const WorldDifference of_bones = world_difference(*bones, back, false);
+    EXPECT_LT(of_bones.position, kSamePlace) << i;
+    EXPECT_LT(of_bones.rotation, kSameTurn) << i;
+    if (motion.clip.num_frames == 0) continue;  // bones rest elsewhere
+    const Motion bare = shape::without_inner_tips(motion);
+    const WorldDifference difference = world_difference(bare, shape::without_inner_tips(back));
+    EXPECT_LT(difference.position, kSamePlace) << i;
+    if (num_more == 0) {
+      EXPECT_LT(difference.tip, kSamePlace) << i;
+    }
+    EXPECT_GE(difference.num_joints, motion.skeleton.joints.size());
+    Diagnostics none;
+    EXPECT_TRUE(same_skeleton(shape::without_helper_bones(back, none).skeleton, back.skeleton));
+    EXPECT_TRUE(none.items().empty());
+  }
+  EXPECT_GT(num_with_helpers, 250);
+}
+
+TEST(ShapeProperties, BonesWithoutHelpersStayAsTheyAre) {
+  RandomSource random(111);
+  for (int i = 0; i < 100; ++i) {
+    const Motion motion = random_bones(random);
+    Diagnostics diagnostics;
+    const Motion same = shape::without_helper_bones(motion, diagnostics);
+    EXPECT_TRUE(same_skeleton(same.skeleton, motion.skeleton));
+    EXPECT_TRUE(same_bits(same.clip.values, motion.clip.values));
+    EXPECT_TRUE(diagnostics.items().empty());
+  }
+}
+
 bool has_plain_columns(const Motion& motion) {
   const auto readers = num_readers_of_columns(motion.skeleton);
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {

@@ -207,5 +207,19 @@ TEST(BodyBridge, JointsThatMoveFreelyGetThreePositionsAndThreeAngles) {
   EXPECT_NEAR(bound.clip.row(19)[3], 0.3 * 19, 1e-12);  // no jump at half a turn
 }
 
+TEST(BodyBridge, ARobotInOtherUnitsIsProjectedInMetresAndRadians) {
+  Motion motion{robot(), {}};
+  motion.skeleton.metres_per_unit = 0.01;
+  motion.skeleton.angle_unit = AngleUnit::Degrees;
+  motion.clip.num_frames = 1;
+  motion.clip.num_coordinates = 9;
+  motion.clip.values = {100, 200, 300, 1, 0, 0, 0, 90, 50};
+  Diagnostics diagnostics;
+  const auto body = robot::project(motion, robot::BodyForm::Joints, nullptr, diagnostics);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->components[0].values, (Array<double>{1, 2, 3, 1, 0, 0, 0}));
+  EXPECT_EQ(body->components[1].values, (Array<double>{90 * kRadiansPerDegree, 0.5}));
+}
+
 }  // namespace
 }  // namespace kinefile::test

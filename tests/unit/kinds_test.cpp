@@ -276,5 +276,42 @@ TEST(Kinds, LineEndsAreNoDifferenceOfSkeletons) {
   EXPECT_TRUE(are_written_alike(*find_format("bvh"), unix, dos));
 }
 
+TEST(Kinds, NoFormatWritesFramesAtOtherTimesThanTheirOwn) {
+  Motion walk = examples::make_walk({.num_frames = 3});
+  walk.clip.timeline.given = FrameTimes{{0, 0.1, 0.3}};
+  int num_refused = 0;
+  for (const Format& format : formats()) {
+    if (format.write == nullptr || !format.conventions.writes.motions) continue;
+    Diagnostics diagnostics;
+    Document document{walk, "", {}};
+    if (format.conventions.has_one_end) {
+      Motion bones = *shape::with_bones(walk, false, diagnostics);
+      document.content = std::move(bones);
+    }
+    const auto written = format.write(document, {}, kNowhere, diagnostics);
+    if (format.conventions.keeps_times) {
+      EXPECT_TRUE(written) << format.name;
+      continue;
+    }
+    ASSERT_FALSE(written) << format.name;
+    EXPECT_EQ(written.error().kind, ErrorKind::DataLoss) << format.name;
+    EXPECT_NE(written.error().message.find("times of single frames"), std::string::npos);
+    ++num_refused;
+  }
+  EXPECT_EQ(num_refused, 2) << "BVH and AMC";
+}
+
+TEST(Kinds, ASkeletonAloneNeedsNoSteadyRate) {
+  Motion walk = examples::make_walk({.num_frames = 3});
+  walk.clip.timeline.given = FrameTimes{{0, 0.1, 0.3}};
+  const auto codes_on_the_way_to = [&walk](const char* name) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(adapted_to(*find_format(name), {walk, "", {}}, {}, diagnostics));
+    return diagnostics.count_of("CNV009", Severity::Note);
+  };
+  EXPECT_EQ(codes_on_the_way_to("asf"), 0u);
+  EXPECT_EQ(codes_on_the_way_to("amc"), 1u);
+}
+
 }  // namespace
 }  // namespace kinefile

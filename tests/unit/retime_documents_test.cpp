@@ -41,14 +41,15 @@ TEST(RetimeDocuments, ABodyMotionsKeysCountTheFramesOfItsMainComponent) {
   EXPECT_EQ(map->old_frames[2], 1);
 }
 
-TEST(RetimeDocuments, FramesWithOwnTimesKeepThem) {
+TEST(RetimeDocuments, FramesWithOwnTimesAreWarpedInTime) {
   Diagnostics diagnostics;
   Document walk = walk_of(4);
-  const std::vector<double> times = {0, 0.1, 0.3, 0.4};
-  std::get<Motion>(walk.content).clip.timeline.given = FrameTimes{times};
+  std::get<Motion>(walk.content).clip.timeline.given = FrameTimes{{0, 0.1, 0.3, 0.4}};
   const auto map = retime::warp_map(walk, warp_to(2, 1), diagnostics);
   ASSERT_TRUE(map && map->timeline);
-  EXPECT_EQ(own_times(*map->timeline), times);
+  EXPECT_EQ(map->timeline->given, Timeline(FrameRate{10}).given);
+  EXPECT_EQ(map->old_frames[1], 2);
+  EXPECT_EQ(diagnostics.count_of("RTM009", Severity::Note), 1u);
 }
 
 /// A body on one foot, 100 frames a second, which is in the air from frame 40 to 79 of 120.

@@ -391,5 +391,77 @@ TEST(WarpMap, StraightPiecesFindWholeFramesExactly) {
   }
 }
 
+const Timeline kIrregular{FrameTimes{{1, 1.1, 1.3, 1.4, 1.7}}, 5};
+
+TEST(WarpMap, OfFramesWithTimesRunsEvenlyInSeconds) {
+  // Half of the way from frame 0 to the key is 0.15 s, where a motion in frames would show frame 1.
+  Diagnostics diagnostics;
+  const auto map = retime::warp_map(kIrregular, 5, {.keys = {{2, 6}}, .tail = retime::Tail::Extend},
+                                    false, diagnostics);
+  ASSERT_TRUE(map);
+  const std::vector<double> expected = {0, 0.5, 1,           1.25,        1.5, 1.75,
+                                        2, 3,   3 + 1 / 3.0, 3 + 2 / 3.0, 4};
+  ASSERT_EQ(map->old_frames.size(), expected.size());
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    EXPECT_NEAR(map->old_frames[n], expected[n], 1e-12) << n;
+  }
+  EXPECT_EQ(map->timeline, (Timeline{FrameRate{10}, 5}));
+  ASSERT_EQ(diagnostics.items().size(), 1u);
+  EXPECT_EQ(diagnostics.items()[0].code, "RTM009");
+  EXPECT_NE(diagnostics.items()[0].message.find("10 frames a second"), std::string::npos);
+}
+
+TEST(WarpMap, OfFramesWithTimesWithoutKeysShowsEveryFrameAtItsTime) {
+  Diagnostics diagnostics;
+  const auto map = retime::warp_map(kIrregular, 5, {}, false, diagnostics);
+  ASSERT_TRUE(map);
+  ASSERT_EQ(map->old_frames.size(), 8u);
+  EXPECT_EQ(map->old_frames[1], 1);
+  EXPECT_EQ(map->old_frames[2], 1.5);
+  EXPECT_EQ(map->old_frames[3], 2);
+  EXPECT_EQ(map->old_frames[4], 3);
+  EXPECT_EQ(map->old_frames[7], 4);
+}
+
+TEST(WarpMap, OfFramesWithTimesTakesKeysInSeconds) {
+  Diagnostics diagnostics;
+  const auto map = retime::warp_map(kIrregular, 5, {.keys = {{1.3, 0.2}}}, true, diagnostics);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->old_frames[2], 2) << "what happened at 1.3 s is shown 0.2 s behind the start";
+  EXPECT_EQ(map->old_frames.size(), 8u);
+  const auto steady =
+      retime::warp_map({FrameRate{10}, 0}, 5, {.keys = {{0.1, 0.2}}}, true, diagnostics);
+  ASSERT_TRUE(steady);
+  EXPECT_EQ(steady->old_frames[2], 1);
+}
+
+TEST(WarpMap, OfFramesWithTimesStretchesWhereWeightsAllowIt) {
+  Diagnostics diagnostics;
+  retime::WarpOptions options;
+  options.keys = {{4, 9}};
+  options.tail = retime::Tail::Extend;
+  options.weights = {0, 0, 0, 1, 1};  // from frame 2 on, 0.3 s behind the start
+  const auto map = retime::warp_map(kIrregular, 5, options, false, diagnostics);
+  ASSERT_TRUE(map);
+  EXPECT_NEAR(map->old_frames[1], 1, 1e-12);
+  EXPECT_NEAR(map->old_frames[3], 2, 1e-12);
+  EXPECT_EQ(map->old_frames.back(), 4);
+}
+
+TEST(WarpMap, OfFramesWithTimesRefusesWhatItCannotDo) {
+  Diagnostics diagnostics;
+  const auto beyond = retime::warp_map(kIrregular, 5, {.keys = {{5, 6}}}, false, diagnostics);
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().code, "RTM001");
+  EXPECT_NE(beyond.error().message.find("from 0 to 4"), std::string::npos);
+  const Timeline falling{FrameTimes{{0, 2, 1}}, 0};
+  const auto refused = retime::warp_map(falling, 3, {}, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "RTM002");
+  const auto weights = retime::warp_map(kIrregular, 5, {.weights = {1, 1}}, false, diagnostics);
+  ASSERT_FALSE(weights);
+  EXPECT_EQ(weights.error().code, "RTM001");
+}
+
 }  // namespace
 }  // namespace kinefile

@@ -178,6 +178,8 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
   if (auto taken = expect_kind(document, kAmcWrites, "a motion to write as AMC"); !taken) {
     return taken;
   }
+  auto steady = expect_steady(motion->clip, code::kNotExpressible, "AMC");
+  if (!steady) return steady;
   const KeptFile kept = kept_file_of(document);
   auto unbound = unbind(motion->skeleton, kept);
   if (!unbound) return fail(std::move(unbound.error()));

@@ -100,6 +100,7 @@ Format asf_format() {
   format.facts = facts;
   format.conventions.writes = kAsfWrites;
   format.conventions.has_one_end = true;
+  format.conventions.keeps_times = true;  // it has no frames
   format.read_options = kAsfReadOptions;
   format.write_options = kAsfWriteOptions;
   return format;

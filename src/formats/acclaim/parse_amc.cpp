@@ -36,7 +36,8 @@ struct Body {
   const std::string& skeleton_name;
   AmcBody out = {};
   std::unordered_map<std::string, std::size_t> index_of_name = {};  ///< in lower case
-  std::vector<double> row = {};           ///< the frame at hand; a missing bone holds its values
+  std::size_t num_columns = 0;
+  std::span<double> row = {};             ///< where the frame at hand goes: the last of `values`
   std::vector<std::size_t> seen_in = {};  ///< the last frame, from 1, in which each bone was
   std::vector<std::string_view> spelled = {};  ///< the names as the first frame spells them
   std::size_t num_seen = 0;                    ///< bones of the frame at hand
@@ -49,7 +50,25 @@ struct Body {
 
   const char* end() const { return parser.source.end(); }
   std::size_t frame() const { return out.num_frames; }
+  /// Makes a place for the frame at hand; it is used again unless the frame is kept.
+  void open_row() { row = out.values.grow(num_columns); }
+  /// Ends the values at the frames that were kept.
+  void close_rows() { out.values.resize(out.num_frames * num_columns); }
 };
+
+/// Lets the bones that are missing in the frame at hand hold their values, or rest at 0.
+void fill_missing(Body& body) {
+  for (std::size_t b = 0; b < body.bones.size(); ++b) {
+    if (body.seen_in[b] == body.frame() + 1) continue;
+    const BoneColumns& bone = body.bones[b];
+    const std::span<double> values = body.row.subspan(bone.first_column, bone.num_columns);
+    if (body.frame() == 0) {
+      std::fill(values.begin(), values.end(), 0.0);
+    } else {
+      std::copy_n(values.data() - body.num_columns, bone.num_columns, values.data());
+    }
+  }
+}
 
 void report_missing(Body& body) {
   std::vector<std::string> names;
@@ -70,7 +89,7 @@ void report_missing(Body& body) {
 bool has_room(Body& body) {
   constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB
   const std::size_t most = std::max(kManyNumbers, body.parser.source.text().size() / 2);
-  if (body.out.values.size() + body.row.size() <= most) return true;
+  if (body.out.values.size() <= most) return true;
   if (!std::exchange(body.is_full, true)) {
     body.parser.error(code::kMissingBone,
                       fmt::format("expected {} values at the most in a file of this size, most "
@@ -91,9 +110,12 @@ void finish_frame(Body& body) {
     return;
   }
   if (!has_room(body)) return;
-  if (body.num_seen < body.bones.size()) report_missing(body);
-  body.out.values.append(body.row);
+  if (body.num_seen < body.bones.size()) {
+    report_missing(body);
+    fill_missing(body);
+  }
   ++body.out.num_frames;
+  body.open_row();
 }
 
 /// Makes room for as many frames as there would be if all were as long as the first.
@@ -102,7 +124,10 @@ void reserve_frames(Body& body, const char* begin, const char* next) {
   const auto num_bytes = static_cast<std::size_t>(body.end() - begin);
   const std::size_t num_frames = num_bytes / frame_bytes + num_bytes / frame_bytes / 16 + 1;
   // A number has two bytes at least, so hostile files cannot ask for more than four times theirs.
-  body.out.values.reserve(std::min(num_frames * body.row.size(), num_bytes / 2 + 1));
+  // One more than the last is open while the file is read.
+  body.out.values.reserve(std::min(num_frames * body.num_columns, num_bytes / 2 + 1) +
+                          body.num_columns);
+  body.row = body.out.values.mutate().last(body.num_columns);
 }
 
 void start_frame(Body& body, std::int64_t number, const char* at) {
@@ -389,12 +414,11 @@ AmcHeader parse_amc_header(Parser& parser) {
 AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
                        const std::string& skeleton_name) {
   Body body{parser, bones, skeleton_name};
-  std::size_t num_columns = 0;
   for (std::size_t b = 0; b < bones.size(); ++b) {
     body.index_of_name[lowered(bones[b].name)] = b;
-    num_columns = std::max(num_columns, bones[b].first_column + bones[b].num_columns);
+    body.num_columns = std::max(body.num_columns, bones[b].first_column + bones[b].num_columns);
   }
-  body.row.assign(num_columns, 0.0);
+  body.open_row();
   body.seen_in.assign(bones.size(), 0);
   body.place_of_bone.assign(bones.size(), kNoPlace);
   while (true) {
@@ -416,6 +440,7 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
     }
   }
   finish_frame(body);
+  body.close_rows();
   const bool is_blank =
       parser.source.text().find_first_not_of(" \t\v\f\r\n") == std::string_view::npos;
   if (is_blank) {

@@ -116,6 +116,11 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
       !taken) {
     return taken;
   }
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  if (motion != nullptr) {
+    auto steady = expect_steady(motion->clip, code::kNotExpressible, "BVH");
+    if (!steady) return steady;
+  }
   const Skeleton& skeleton = skeleton_of(document);
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
@@ -128,7 +133,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
   text::Printer printer(sink, options.decimals);
   print_hierarchy(printer, unbound->file, line_end);
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) {
+  if (motion != nullptr) {
     print_motion(printer, *unbound, motion->clip, line_end);
   }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));

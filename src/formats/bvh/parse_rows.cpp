@@ -25,17 +25,21 @@ struct Rows {
   std::optional<std::size_t> claim;
   const char* claim_at;
   std::size_t num_columns;
-  std::vector<double> row;          ///< the row at hand; `values` takes it as one block
+  std::span<double> row = {};       ///< where the row at hand goes: the last of `values`
   std::size_t num_seen = 0;         ///< rows met so far, faulty ones too
   bool is_stream_refuted = false;   ///< the numbers do not add up, so rows end with their lines
   const char* known_row = nullptr;  ///< the last place at which a row was found ahead
 
   File& file() { return parser.file; }
   const char* end() const { return parser.source.end(); }
+  /// Makes a place for the row at hand; it is used again unless the row is kept.
+  void open_row() { row = file().values.grow(num_columns); }
   void keep_row() {
-    file().values.append(row);
     ++file().num_frames;
+    open_row();
   }
+  /// Ends the rows at those that were kept.
+  void close_rows() { file().values.resize(file().num_frames * num_columns); }
 };
 
 /// As many rows as the rest of the file could hold if every number were one digit.
@@ -70,7 +74,9 @@ void reserve_rows(Rows& rows, const char* begin) {
   const std::size_t num_likely = num_bytes / line_bytes + num_bytes / line_bytes / 16 + 1;
   const std::size_t num_rows =
       rows.claim ? *rows.claim : std::min(num_likely, most_rows(rows, begin));
-  rows.file().values.reserve(std::min(num_rows, most_rows(rows, begin)) * rows.num_columns);
+  // One more than the last is open while the file is read.
+  const std::size_t num_reserved = std::min(num_rows, most_rows(rows, begin)) + 1;
+  rows.file().values.reserve(num_reserved * rows.num_columns);
 }
 
 /// Reads a token that the row reader left: a word for what is not finite, or no number at all.
@@ -150,20 +156,26 @@ void read_stream(Rows& rows, const char* begin) {
                   rows.num_columns, count_tokens_in_line(rows, begin),
                   *rows.claim - rows.file().num_frames),
       begin);
-  Array<double>& values = rows.file().values;
+  rows.close_rows();
+  std::span<double> missing =
+      rows.file().values.grow((*rows.claim - rows.file().num_frames) * rows.num_columns);
+  const auto take = [&missing](std::size_t count) { missing = missing.subspan(count); };
   const char* p = begin;
   while (p != rows.end()) {
-    const NumberRow part = text::read_number_row(p, rows.end(), rows.row.data(), rows.row.size());
-    values.append({rows.row.data(), part.count});
+    const NumberRow part = text::read_number_row(p, rows.end(), missing.data(), missing.size());
+    take(part.count);
     p = part.next;
-    if (part.end != RowEnd::BadToken) continue;
+    if (part.end == RowEnd::EndOfLine) continue;
     rows.parser.scanner.move_to(p);
     if (skip_comment(rows.parser)) {
       p = rows.parser.scanner.position();
       continue;
     }
     const auto value = parse_odd_token(rows.parser, rows.parser.scanner.take_in_line());
-    if (value) values.push_back(*value);
+    if (value && !missing.empty()) {
+      missing.front() = *value;
+      take(1);
+    }
     p = rows.parser.scanner.position();
   }
   rows.file().num_frames = *rows.claim;
@@ -240,6 +252,7 @@ const char* read_odd_line(Rows& rows, const char* line) {
 }
 
 void read_rows(Rows& rows, const char* begin) {
+  rows.open_row();
   const char* p = begin;
   while (p != rows.end()) {
     const NumberRow read = text::read_number_row(p, rows.end(), rows.row.data(), rows.num_columns);
@@ -253,6 +266,7 @@ void read_rows(Rows& rows, const char* begin) {
       p = read_odd_line(rows, p);
     }
   }
+  rows.close_rows();
 }
 
 /// A motion without columns has an empty line a frame.
@@ -305,7 +319,7 @@ void parse_rows(Parser& parser, const char* begin, std::optional<std::size_t> cl
   std::size_t num_columns = 0;
   for (const Node& node : parser.file.nodes) num_columns += node.channels.size();
   parser.file.num_columns = num_columns;
-  Rows rows{parser, claim, claim_at, num_columns, std::vector<double>(num_columns)};
+  Rows rows{parser, claim, claim_at, num_columns};
   if (num_columns == 0) {
     read_empty_rows(rows, begin);
   } else {

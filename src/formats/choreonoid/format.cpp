@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -155,6 +156,18 @@ void note_contents(const Reader& reader, const SeqFile& file) {
   }
 }
 
+/// Tells of a motion of neither joints nor links, which Choreonoid does not survive.
+void check_motion(const Reader& reader, const SeqFile& file) {
+  const auto is_motion = [](const SeqComponent& component) {
+    const std::string_view content = usual_content(component);
+    return (component.kind == ComponentKind::Values && content == kJointDisplacement) ||
+           (component.kind == ComponentKind::Poses && content == kLinkPosition);
+  };
+  if (std::any_of(file.components.begin(), file.components.end(), is_motion)) return;
+  const char* at = file.components.empty() ? reader.tree.root().at : file.components.front().at;
+  reader.warn_rejected("there are neither joint displacements nor poses of links", at);
+}
+
 /// Tells of names that Choreonoid does not survive.
 void check_names(const Reader& reader, const SeqFile& file) {
   for (const SeqComponent& component : file.components) {
@@ -191,6 +204,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   note_contents(reader, file);
   check_repeated(reader, file);
   check_names(reader, file);
+  check_motion(reader, file);
   Document document;
   document.format = "choreonoid";
   document.kept = Kept(kept_of(file, layout_of(*decoded)));

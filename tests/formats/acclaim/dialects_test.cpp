@@ -230,6 +230,19 @@ TEST(AcclaimDialects, AMissingBoneHoldsItsValues) {
   EXPECT_EQ(read.motion().clip.row(2)[6], 7);
 }
 
+TEST(AcclaimDialects, AFrameThatIsLeftOutLeavesNoValues) {
+  ReadOptions lenient;
+  lenient.lenient = true;
+  const std::string text =
+      kHeader + "1\nroot 1 2 3 4 5 6\nb 7\n2\n3\nroot 2 2 3 4 5 6\n4\nb 9\n5\n";
+  const ReadText read = read_acclaim("amc", text, asf_with("axis 0 0 0 XYZ\ndof rz\n"), lenient);
+  ASSERT_TRUE(read.document) << text_of(read.diagnostics);
+  EXPECT_EQ(read.motion().clip.num_frames, 3u);
+  EXPECT_EQ(read.motion().clip.values, (Array<double>{1, 2, 3, 4, 5, 6, 7,  //
+                                                      2, 2, 3, 4, 5, 6, 7,  //
+                                                      2, 2, 3, 4, 5, 6, 9}));
+}
+
 TEST(AcclaimDialects, BonesInAnotherOrderAndAnotherCase) {
   const std::string text = kHeader + "1\nB 7\nROOT 1 2 3 0 0 0\n2\nroot 4 5 6 0 0 0\nb 8\n";
   const Motion motion = amc_motion(text, asf_with("axis 0 0 0 XYZ\ndof rz\n"));

@@ -232,6 +232,17 @@ TEST(BvhRows, AStreamIsReadWhateverItsLineEnds) {
   EXPECT_TRUE(std::isnan(read.motion().clip.values[9]));
 }
 
+TEST(BvhRows, AStreamMayHaveCommentsBehindItsLastNumber) {
+  const std::string text = replaced(kGood, "1 2 3 4", "1 2 3\n# here\n4") + "# the end\n\n# yes\n";
+  EXPECT_EQ(read_bvh(text).motion().clip.values, motion_of(kGood).clip.values);
+}
+
+TEST(BvhRows, ADroppedRowLeavesNoValues) {
+  const ReadText read = read_bvh(kGood + "1 2 3\n", lenient());
+  ASSERT_TRUE(read.document) << text_of(read.diagnostics);
+  EXPECT_EQ(read.motion().clip.values, motion_of(kGood).clip.values);
+}
+
 TEST(BvhRows, AStreamMustHoldAllItsNumbers) {
   EXPECT_EQ(codes(replaced(kGood, "1 2 3 4", "1 2 3\n4 4")),
             (std::vector<std::string>{"BVH028", "BVH028"}));

@@ -19,12 +19,10 @@ ServoMap with_link_names(ServoMap map, const Document& robot) {
     const bool is_link = std::any_of(joints.begin(), joints.end(),
                                      [&](const Joint& joint) { return joint.name == entry.joint; });
     if (is_link) continue;
-    for (const auto& [link, words] : robot.extras.joints) {
-      const auto name = words.find("joint_name");
-      if (name == words.end() || name->second != entry.joint) continue;
-      entry.joint = link;
-      break;
-    }
+    const auto moved = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+      return !joint.joint_name.empty() && joint.joint_name == entry.joint;
+    });
+    if (moved != joints.end()) entry.joint = moved->name;
   }
   return map;
 }

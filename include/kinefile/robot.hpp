@@ -39,11 +39,14 @@ Motion without_free_joints(const Motion& motion);
 /// Puts a body motion on a robot: the first link's pose moves the root, joint displacements move
 /// the joints, in order of their ids. Length and rate are those of the link poses, else those of
 /// the joint displacements. Without joint displacements, link poses of all links give them. What is
-/// missing rests; what is too much is told and left out.
+/// missing rests; what is too much is told and left out. A joint that follows another (a mimic
+/// joint) follows it, whatever is recorded of it.
 /// \param skeleton  of a robot: a free root, columns in order of joint ids
 /// \errors BRG010 (Usage) if there are neither link poses nor joint displacements;
 ///         BRG011 (InvalidInput) if there are fewer frames of joints than of links and not
-///         `lenient`, which holds the last; BRG012 (Usage) if the root of the skeleton is not free
+///         `lenient`, which holds the last; BRG012 (Usage) if the root of the skeleton is not
+///         free; BRG017 (DataLoss) if a joint that follows another was recorded elsewhere and not
+///         `lenient`, which warns
 Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool lenient,
                     Diagnostics& diagnostics);
 
@@ -75,7 +78,8 @@ enum class BodyForm {
 };
 
 /// Makes a body motion of a motion. Of a robot (a free root, joints of one degree of freedom),
-/// values stay as they are; any other motion's joints become links. Lengths become metres.
+/// values stay as they are, and every joint id has one: that of a joint which follows another is
+/// what it has by that; any other motion's joints become links. Lengths become metres.
 /// \param other  a body motion whose further components (ZMP, ...) go along; may be null
 /// \errors BRG013 (Usage) if `form` wants joints and the motion is not a robot's
 Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion* other,
@@ -83,9 +87,8 @@ Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion
 
 /// What joints of figures and links of robots are called, so that they can be matched.
 struct RobotNames {
-  std::map<std::string, std::string> joint_of_link;  ///< names of a robot's joints, by their links
-  std::map<std::string, std::string> source_of;      ///< a link or joint of the robot to the joint
-                                                     ///< of the figure that it follows
+  std::map<std::string, std::string> source_of;  ///< a link or joint of the robot to the joint of
+                                                 ///< the figure that it follows
 };
 
 /// Puts a motion on a robot: each link follows the joint of its name, of its joint's name, or that

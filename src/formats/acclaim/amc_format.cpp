@@ -119,7 +119,7 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
 
   Motion motion;
   motion.skeleton = bind(found->file, {header.forces_3dof, found->metres_per_quotient});
-  if (header.angle) motion.skeleton.angle_unit = *header.angle;
+  if (header.angle) tell_angles_in(*header.angle, motion.skeleton);
   const std::vector<BoneColumns> bones = columns_of_bones(motion.skeleton);
   AmcBody body = parse_amc_body(parser, bones, found->name);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());

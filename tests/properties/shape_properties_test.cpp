@@ -187,9 +187,11 @@ TEST(ShapeProperties, OtherChannelsKeepTheWorldAndTheRestPose) {
   int num_root_accepted = 0;
   int num_plain = 0;
   for (int i = 0; i < 1040; ++i) {
-    const Motion motion = random_motion(
-        random,
-        {.oblique_axes = i % 4 != 0, .shared_columns = i % 4 != 0, .without_frames = i % 13 == 0});
+    const Motion motion = random_motion(random, {.oblique_axes = i % 4 != 0,
+                                                 .shared_columns = i % 4 != 0,
+                                                 .without_frames = i % 13 == 0,
+                                                 .whole_rotations = i % 4 != 0,
+                                                 .gains = i % 4 != 0});
     const ExpectUnchanged unchanged(motion);
     shape::ChannelOptions options;
     constexpr shape::PositionChannels kWays[] = {

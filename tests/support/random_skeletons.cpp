@@ -494,7 +494,10 @@ void add_image(Maker& maker, std::size_t original, std::size_t parent) {
 
 Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
   Maker maker{random, {}};
-  maker.traits = {.rest_rotations = rest_rotations, .oblique_axes = false, .rest_values = false};
+  maker.traits = {.rest_rotations = rest_rotations,
+                  .oblique_axes = false,
+                  .rest_values = false,
+                  .gains = false};
   Skeleton& skeleton = maker.skeleton();
   skeleton.angle_unit = random_chance(random, 0.3) ? AngleUnit::Radians : AngleUnit::Degrees;
   skeleton.metres_per_unit = 1;
@@ -522,6 +525,7 @@ Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
     const std::size_t num_rotations = is_middle || random_chance(random, 0.5) ? 3 : 1;
     for (std::size_t k = 0; k < num_rotations; ++k) {
       add_dof(maker, index, DofKind::Rotation, axes[k], 0, new_column(maker, index, Means::Angle));
+      if (random_chance(random, 0.1)) skeleton.joints[index].dofs.back().gain = -0.5;
     }
     return index;
   };

@@ -46,8 +46,9 @@ struct JointPoint {
 
 /// Places a skeleton: plans once, then places rows and tells derivatives as often as is wanted.
 /// Copies share the plan. All const functions may be called from several threads at once.
-/// Values that are not finite give poses that are not; a free joint's quaternion is normalised
-/// unless the square of its length is within 1e-8 of 1, as rounding to nine digits leaves it.
+/// Values that are not finite give poses that are not; a quaternion (of a free joint, of a ball) is
+/// normalised unless the square of its length is within 1e-8 of 1, as rounding to nine digits
+/// leaves it.
 class Kinematics {
  public:
   /// \param skeleton  valid (see `validate`); not looked at afterwards
@@ -77,10 +78,9 @@ class Kinematics {
   /// The Jacobian of a point's position in the world: its derivative by every coordinate, in the
   /// coordinates' own units (a degree where angles are in degrees). Where several degrees of
   /// freedom read a column, their derivatives add up; a column that moves the point in no way has
-  /// 0. A free joint has seven columns: its position, and the four numbers of its quaternion,
-  /// whose derivatives are those of the normalised quaternion: along the quaternion itself there
-  /// is none. Allocates nothing.
-  /// \param frames    what `place_row` makes of the row
+  /// 0. A free joint has seven columns: its position, and the four numbers of its quaternion, as a
+  /// ball has, whose derivatives are those of the normalised quaternion: along the quaternion
+  /// itself there is none. Allocates nothing. \param frames    what `place_row` makes of the row
   /// \param jacobian  out; [coordinate][3], which is a 3 x coordinates matrix in column order
   void jacobian(const JointPoint& point, std::span<const double> row,
                 std::span<const JointFrame> frames, std::span<double> jacobian) const;
@@ -105,10 +105,10 @@ struct KinematicsOptions {
 /// \param clip      values in the skeleton's units; as many columns as it has coordinates
 /// \returns         world_from_joint; row 0 is `options.first_frame`
 /// Column vectors, right-handed: world_from_joint = world_from_parent * parent_from_joint.
-/// Values that are not finite give poses that are not; a free joint's quaternion is normalised
-/// unless the square of its length is within 1e-8 of 1, as rounding to nine digits leaves it.
-/// Source: the format document's worked example; Meredith and Maddock, "Motion Capture File
-/// Formats Explained", section 3.
+/// Values that are not finite give poses that are not; a quaternion (of a free joint, of a ball) is
+/// normalised unless the square of its length is within 1e-8 of 1, as rounding to nine digits
+/// leaves it. Source: the format document's worked example; Meredith and Maddock, "Motion Capture
+/// File Formats Explained", section 3.
 WorldPoses forward_kinematics(const Skeleton& skeleton, const Clip& clip,
                               const KinematicsOptions& options = {});
 

@@ -39,11 +39,14 @@ Motion without_free_joints(const Motion& motion);
 /// Puts a body motion on a robot: the first link's pose moves the root, joint displacements move
 /// the joints, in order of their ids. Length and rate are those of the link poses, else those of
 /// the joint displacements. Without joint displacements, link poses of all links give them. What is
-/// missing rests; what is too much is told and left out.
+/// missing rests; what is too much is told and left out. A joint that follows another (a mimic
+/// joint) follows it, whatever is recorded of it.
 /// \param skeleton  of a robot: a free root, columns in order of joint ids
 /// \errors BRG010 (Usage) if there are neither link poses nor joint displacements;
 ///         BRG011 (InvalidInput) if there are fewer frames of joints than of links and not
-///         `lenient`, which holds the last; BRG012 (Usage) if the root of the skeleton is not free
+///         `lenient`, which holds the last; BRG012 (Usage) if the root of the skeleton is not
+///         free; BRG017 (DataLoss) if a joint that follows another was recorded elsewhere and not
+///         `lenient`, which warns
 Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool lenient,
                     Diagnostics& diagnostics);
 
@@ -75,7 +78,8 @@ enum class BodyForm {
 };
 
 /// Makes a body motion of a motion. Of a robot (a free root, joints of one degree of freedom),
-/// values stay as they are; any other motion's joints become links. Lengths become metres, angles
+/// values stay as they are, and every joint id has one: that of a joint which follows another is
+/// what it has by that; any other motion's joints become links. Lengths become metres, angles
 /// radians.
 /// \param other  a body motion whose further components (ZMP, ...) go along; may be null
 /// \errors BRG013 (Usage) if `form` wants joints and the motion is not a robot's

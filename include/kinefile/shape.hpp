@@ -13,9 +13,22 @@
 
 namespace kinefile::shape {
 
+/// The axes of three rotations, outermost first: 0 x, 1 y, 2 z. "ZXY" is {2, 0, 1}.
+using RotationOrder = std::array<std::size_t, 3>;
+
+/// The same motion in which every value of a degree of freedom is its column's number: gains are 1
+/// and shifts 0. A joint that follows another by them, or that has a column of its own beside (see
+/// `following_columns`), gets its values in a column of its own.
+Motion with_plain_values(const Motion& motion);
+
+/// The same motion with three rotations in the place of each ball and each rotation vector; angles
+/// go on from the frame before. Joints that move freely stay.
+Motion with_angles(const Motion& motion, const RotationOrder& order);
+
 /// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets,
 /// axes and tips are turned, rest rotations become none. Values stay as they are, bit for bit.
-/// \errors BRG001 (DataLoss) if a joint that moves freely has a rest rotation, or one above it has
+/// \errors BRG001 (DataLoss) if a joint that moves freely or turns in any way (a ball, a rotation
+///         vector) has a rest rotation, or one above it has
 Result<Motion> with_world_aligned_rest(const Motion& motion);
 
 /// The same motion without movements along bones (ASF `l`): the children of such a joint move in
@@ -39,9 +52,10 @@ Motion without_inner_tips(const Motion& motion);
 /// moves its tail. `without_helper_bones` is the way back. Positions of other joints are told from
 /// the rest pose on, so that all coordinates rest at 0; those that never leave it are left out.
 /// Names that ASF could not hold are changed. Joints below the root that rest turned get the
-/// world's axes (see `with_world_aligned_rest`). What was added, changed or left out is told in
-/// notes; positions of joints stay. \errors BRG003 (DataLoss) if there are several roots, or joints
-/// are scaled, or move freely
+/// world's axes (see `with_world_aligned_rest`). Balls and rotation vectors become angles about z,
+/// y and x, gains and shifts values (see `with_angles`, `with_plain_values`). What was added,
+/// changed or left out is told in notes; positions of joints stay. \errors BRG003 (DataLoss) if
+/// there are several roots, or joints are scaled, or move freely
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics);
 
 /// The same motion without the helper bones that `with_bones` adds: joints below a root whose names
@@ -60,9 +74,6 @@ Motion without_helper_bones(Motion motion, Diagnostics& diagnostics);
 /// \errors BRG004 (Usage) if no joint has the name of another, or one moves freely
 Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
                              Diagnostics& diagnostics);
-
-/// The axes of three rotations, outermost first: 0 x, 1 y, 2 z. "ZXY" is {2, 0, 1}.
-using RotationOrder = std::array<std::size_t, 3>;
 
 /// Reads an order of rotations, in any case: three of x, y and z of which no neighbours are equal.
 std::optional<RotationOrder> parse_rotation_order(std::string_view text);
@@ -95,7 +106,8 @@ bool repeats_an_axis(const Joint& joint);
 /// anew, each nearest to the frame before, so that curves stay continuous. With `AsIs`, a joint
 /// with one rotation, or with some in the order's sequence, keeps them. Joints that turn about or
 /// move along other axes than x, y and z, or share columns, get rotations and positions of their
-/// own about and along these.
+/// own about and along these. Balls and rotation vectors get angles, values that a gain or a shift
+/// makes get columns of their own.
 /// A joint that loses its position channels gets them into its offset where they do not change.
 /// \errors EDT001 (DataLoss) if they do change, and not `lenient`;
 ///         EDT002 (Usage) for a joint that moves freely

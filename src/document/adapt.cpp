@@ -18,14 +18,17 @@ bool asks_for_channels(const shape::ChannelOptions& channels) {
   return channels.order || channels.positions != shape::PositionChannels::AsIs;
 }
 
-/// The motion with its angles in degrees. Every column is read by one degree of freedom.
+/// The motion with its angles in degrees. Every column is read by one degree of freedom, whose
+/// value is its number.
 Motion in_degrees(Motion motion) {
   if (motion.skeleton.angle_unit == AngleUnit::Degrees) return motion;
   motion.skeleton.angle_unit = AngleUnit::Degrees;
   for (Joint& joint : motion.skeleton.joints) {
     for (DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::Rotation) continue;
-      dof.rest /= kRadiansPerDegree;
+      for (double* value : {&dof.rest, &dof.lower, &dof.upper, &dof.max_speed}) {
+        *value /= kRadiansPerDegree;
+      }
       for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
         motion.clip.mutate()[f][dof.coordinate] /= kRadiansPerDegree;
       }
@@ -36,18 +39,21 @@ Motion in_degrees(Motion motion) {
 
 Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
                        Diagnostics& diagnostics) {
-  auto aligned = shape::with_world_aligned_rest(motion);
+  // Angles turn with their joints' frames, quaternions could not.
+  const Motion plain = shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
+  auto aligned = shape::with_world_aligned_rest(plain);
   if (!aligned) return aligned;
   auto inherited = shape::without_tail_translations(*aligned, channels.lenient, diagnostics);
   if (!inherited) return inherited;
   channels.usual_order = kUsualOrder;
   channels.replaces_offsets = true;  // as BVH files are read
-  auto plain = shape::with_channels(shape::without_inner_tips(*inherited), channels, diagnostics);
-  if (!plain) return plain;
-  return in_degrees(shape::without_unread_columns(*plain));
+  auto made = shape::with_channels(shape::without_inner_tips(*inherited), channels, diagnostics);
+  if (!made) return made;
+  return in_degrees(shape::without_unread_columns(*made));
 }
 
 Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
+  motion = shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
   const auto& joints = motion.skeleton.joints;
   const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
     return joint.parent != kNoParent && turns_at_rest(joint);

@@ -43,7 +43,10 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
 
 /// Tells of the values of joint ids that no joint of the robot has, which poses do not show.
 void tell_unread(const Motion& motion, Diagnostics& diagnostics) {
-  const std::vector<std::size_t> num_readers = num_readers_of_columns(motion.skeleton);
+  std::vector<std::size_t> num_readers = num_readers_of_columns(motion.skeleton);
+  for (const FollowingColumn& following : following_columns(motion.skeleton)) {
+    ++num_readers[following.column];  // the joint has this value by following another
+  }
   std::vector<std::string> ids;
   for (std::size_t c = kRootColumns; c < num_readers.size(); ++c) {
     const bool is_lost = num_readers[c] == 0 && !is_always(motion.clip, c, 0);
@@ -165,11 +168,13 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
                          component.num_parts + kRootColumns <= robot.coordinates.size();
     if (!has_ids) continue;
     names.clear();
-    const std::vector<std::size_t> num_readers = num_readers_of_columns(robot);
     for (std::size_t id = 0; id < component.num_parts; ++id) {
-      const std::size_t column = kRootColumns + id;
-      names.push_back(num_readers[column] > 0 ? robot.joints[robot.coordinates[column].joint].name
-                                              : fmt::format("joint{}", id));
+      names.push_back(fmt::format("joint{}", id));
+    }
+    const auto columns = value_columns(robot);
+    for (std::size_t j = columns.size(); j-- > 0;) {  // of joints of one id, the first
+      const bool is_there = columns[j] && *columns[j] < kRootColumns + component.num_parts;
+      if (is_there) names[*columns[j] - kRootColumns] = robot.joints[j].name;
     }
   }
   return body;

@@ -16,10 +16,7 @@ namespace {
 
 /// How a joint's frame is turned in its parent's frame.
 Quat rotation_of(const Joint& joint, std::span<const double> row, AngleUnit unit) {
-  if (const auto column = free_column(joint)) {
-    return joint.rest_rotation * free_rotation(row, *column);
-  }
-  return joint.rest_rotation * Quat(rotation_in_row(rotations_of(joint), row, unit));
+  return joint.rest_rotation * quaternion_in_row(rotations_of(joint), row, unit);
 }
 
 std::vector<std::size_t> roots_of(const Skeleton& skeleton) {
@@ -30,9 +27,7 @@ std::vector<std::size_t> roots_of(const Skeleton& skeleton) {
   return roots;
 }
 
-bool can_turn(const Joint& joint) {
-  return free_column(joint) || euler_axes_of(rotations_of(joint));
-}
+bool can_turn(const Joint& joint) { return can_turn_in_any_way(rotations_of(joint)); }
 
 /// A movement on the ground: a turn about the axis that points up, then a shift.
 struct GroundMove {
@@ -55,7 +50,7 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
     const Quat between = rotation_of(root, to, unit) * rotation_of(root, from, unit).conjugate();
     if (between.coeffs().allFinite()) move.turn = twist_about(between, up);
   }
-  const auto translations = translation_columns(root);
+  const auto translations = translations_of(root);
   move.shift = position_in_row(root.offset, translations, to) -
                move.turn * position_in_row(root.offset, translations, from);
   move.shift[up] = 0;
@@ -67,12 +62,6 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
 void turn_root(const Joint& root, const Quat& turn, std::span<const double> before, AngleUnit unit,
                Clip& clip) {
   const Rows rows = clip.mutate();
-  if (const auto free = free_column(root)) {
-    for (std::size_t f = 0; f < clip.num_frames; ++f) {
-      set_free_rotation(rows[f], *free, turn * free_rotation(rows[f], *free));
-    }
-    return;
-  }
   const auto rotations = rotations_of(root);
   RotationFitter fitter(rotations, unit, before);
   simd::Quaternions turned;
@@ -88,7 +77,7 @@ void turn_root(const Joint& root, const Quat& turn, std::span<const double> befo
 /// Moves a root in all frames; angles go on from those of a frame before the first.
 void move_root(const Joint& root, const GroundMove& move, std::span<const double> before,
                AngleUnit unit, Clip& clip) {
-  const auto translations = translation_columns(root);
+  const auto translations = translations_of(root);
   const Rows rows = clip.mutate();
   for (std::size_t f = 0; !translations.empty() && f < clip.num_frames; ++f) {
     const Vec3 place = position_in_row(root.offset, translations, rows[f]);
@@ -97,15 +86,6 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   if (move.turn.vec().norm() == 0) return;
   const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;
   turn_root(root, turn, before, unit, clip);
-}
-
-/// The columns that come round after a whole turn.
-std::vector<bool> angle_columns_of(const Skeleton& skeleton) {
-  std::vector<bool> is_angle(skeleton.coordinates.size(), false);
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : rotations_of(joint)) is_angle[dof.coordinate] = true;
-  }
-  return is_angle;
 }
 
 /// What is faded: the rows of two clips, where the one's are those that change.
@@ -120,26 +100,35 @@ struct Fade {
   }
 };
 
-void fade_numbers(const Fade& fade, const std::vector<bool>& is_angle, const Rows& rows,
+/// \param turns  of `turns_of_columns`
+void fade_numbers(const Fade& fade, const std::vector<double>& turns, const Rows& rows,
                   std::size_t first) {
-  const double turn = whole_turn(fade.unit);
   for (std::size_t i = 0; i < fade.weights.size(); ++i) {
     const auto from = fade.from.row(i);
     const auto to = fade.to.row(i);
     const auto row = rows[first + i];
     const double weight = fade.weights[i];
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const double shift = is_angle[c] ? turn * std::round((to[c] - from[c]) / turn) : 0;
+      const double turn = turns[c];
+      const double shift = turn > 0 ? turn * std::round((to[c] - from[c]) / turn) : 0;
       row[c] = from[c] == to[c] ? to[c] : (1 - weight) * (from[c] + shift) + weight * to[c];
     }
   }
 }
 
-void fade_free(const Fade& fade, std::size_t column, const Rows& rows, std::size_t first) {
+void fade_whole(const Fade& fade, const DegreeOfFreedom& dof, const Rows& rows, std::size_t first) {
   for (std::size_t i = 0; i < fade.weights.size(); ++i) {
-    const Quat blended = slerp(free_rotation(fade.from.row(i), column),
-                               free_rotation(fade.to.row(i), column), fade.weights[i]);
-    set_free_rotation(rows[first + i], column, blended);
+    bool is_equal = true;
+    for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
+      is_equal = is_equal && fade.is_equal(i, dof.coordinate + k);
+    }
+    if (is_equal) continue;
+    const auto to = fade.to.row(i);
+    const Quat blended = slerp(whole_rotation_in_row(dof, fade.from.row(i), fade.unit),
+                               whole_rotation_in_row(dof, to, fade.unit), fade.weights[i]);
+    const auto row = rows[first + i];
+    std::copy_n(&to[dof.coordinate], num_coordinates(dof), &row[dof.coordinate]);
+    set_whole_rotation(dof, blended, fade.unit, row);
   }
 }
 
@@ -156,8 +145,8 @@ void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
   std::vector<simd::Between> places(simd::padded(count), {0, 0, 0});
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      ends[k][i] = fade.from.row(i)[rotations[k].coordinate];
-      ends[k][count + i] = angles[k][i] = fade.to.row(i)[rotations[k].coordinate];
+      ends[k][i] = value_in_row(rotations[k], fade.from.row(i));
+      ends[k][count + i] = angles[k][i] = value_in_row(rotations[k], fade.to.row(i));
     }
     places[i] = {i, count + i, fade.weights[i]};
   }
@@ -171,7 +160,7 @@ void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
         std::all_of(rotations.begin(), rotations.end(),
                     [&](const DegreeOfFreedom& dof) { return fade.is_equal(i, dof.coordinate); });
     for (std::size_t k = 0; !is_equal && k < 3; ++k) {
-      rows[first + i][rotations[k].coordinate] = angles[k][i];
+      rows[first + i][rotations[k].coordinate] = column_of(rotations[k], angles[k][i]);
     }
   }
 }
@@ -182,7 +171,7 @@ Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size
   const Skeleton& skeleton = motion.skeleton;
   const auto roots = roots_of(skeleton);
   const auto lead = std::find_if(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
-    return !translation_columns(skeleton.joints[root]).empty();
+    return !translations_of(skeleton.joints[root]).empty();
   });
   if (lead == roots.end()) return motion;
   const bool is_turned = std::all_of(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
@@ -208,11 +197,14 @@ void fade(const Skeleton& skeleton, const Clip& to, std::span<const double> weig
       std::span<const double>(clip.values).subspan(first * width, weights.size() * width));
   const Rows rows = clip.mutate();
   const Fade fade{from, to, weights, skeleton.angle_unit};
-  fade_numbers(fade, angle_columns_of(skeleton), rows, first);
-  for (const Joint& joint : skeleton.joints) {
-    const auto rotations = rotations_of(joint);
-    if (const auto column = free_column(joint)) {
-      fade_free(fade, *column, rows, first);
+  fade_numbers(fade, turns_of_columns(skeleton), rows, first);
+  const std::vector<std::size_t> leaders = leaders_of_columns(skeleton);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const auto rotations = rotations_of(skeleton.joints[j]);
+    const auto follows = following_dofs(rotations, j, leaders);
+    if (std::find(follows.begin(), follows.end(), true) != follows.end()) continue;
+    if (is_whole_rotation(rotations)) {
+      fade_whole(fade, rotations[0], rows, first);
     } else if (const auto axes = euler_axes_of(rotations)) {
       fade_turns(fade, rotations, *axes, rows, first);
     }

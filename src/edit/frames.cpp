@@ -17,16 +17,26 @@ bool is_length(DofKind kind) {
   return kind == DofKind::Translation || kind == DofKind::TailTranslation;
 }
 
-/// The columns that hold lengths.
+/// The columns that hold lengths and nothing else.
 std::vector<bool> length_columns(const Skeleton& skeleton) {
-  std::vector<bool> is_length_column(skeleton.coordinates.size(), false);
+  std::vector<bool> is_length_column(skeleton.coordinates.size(), true);
+  const std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
+  for (std::size_t c = 0; c < readers.size(); ++c) is_length_column[c] = readers[c] > 0;
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      const std::size_t count = dof.kind == DofKind::Free ? 3 : (is_length(dof.kind) ? 1 : 0);
-      for (std::size_t k = 0; k < count; ++k) is_length_column[dof.coordinate + k] = true;
+      const std::size_t num_lengths = dof.kind == DofKind::Free ? 3 : (is_length(dof.kind) ? 1 : 0);
+      for (std::size_t k = num_lengths; k < num_coordinates(dof); ++k) {
+        is_length_column[dof.coordinate + k] = false;
+      }
     }
   }
   return is_length_column;
+}
+
+/// Scales a length: by its column where that is scaled, else by what is made of its number.
+void scale_length(double factor, bool is_column_scaled, DegreeOfFreedom& dof) {
+  for (double* value : {&dof.lower, &dof.upper, &dof.max_speed, &dof.shift}) *value *= factor;
+  (is_column_scaled ? dof.rest : dof.gain) *= factor;
 }
 
 /// A quarter turn about x, which brings y to z or z to y.
@@ -46,17 +56,25 @@ void negate_column(Clip& clip, std::size_t column) {
   for (std::size_t f = 0; f < clip.num_frames; ++f) rows[f][column] = -rows[f][column];
 }
 
-/// Turns a position and a rotation, x y z qw qx qy qz.
-void turn_free_pose(const QuarterTurn& turn, double* pose) {
-  for (double* part : {pose, pose + 4}) {
-    const Vec3 turned = turn(Vec3(part));
-    std::copy(turned.begin(), turned.end(), part);
-  }
+void turn_vector(const QuarterTurn& turn, double* numbers) {
+  const Vec3 turned = turn(Vec3(numbers));
+  std::copy(turned.begin(), turned.end(), numbers);
 }
 
-void turn_free_columns(const QuarterTurn& turn, std::size_t first, Clip& clip) {
+/// Turns the vectors among the numbers of a kind that reads several columns: x y z qw qx qy qz of a
+/// free joint, qw qx qy qz of a ball, a rotation vector.
+void turn_numbers(const QuarterTurn& turn, DofKind kind, double* numbers) {
+  if (kind == DofKind::Free) turn_vector(turn, numbers);
+  if (kind == DofKind::Free) turn_vector(turn, numbers + 4);
+  if (kind == DofKind::Ball) turn_vector(turn, numbers + 1);
+  if (kind == DofKind::RotationVector) turn_vector(turn, numbers);
+}
+
+void turn_columns(const QuarterTurn& turn, const DegreeOfFreedom& dof, Clip& clip) {
   const Rows rows = clip.mutate();
-  for (std::size_t f = 0; f < clip.num_frames; ++f) turn_free_pose(turn, &rows[f][first]);
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    turn_numbers(turn, dof.kind, &rows[f][dof.coordinate]);
+  }
 }
 
 /// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
@@ -70,6 +88,7 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
       (dof.kind == DofKind::Rotation || dof.kind == DofKind::Translation)) {
     dof.axis = opposite(dof.axis);
     dof.rest = -dof.rest;
+    dof.shift = 0 - dof.shift;
     dof.lower = -std::exchange(dof.upper, -dof.lower);
     negate_column(motion.clip, dof.coordinate);
   }
@@ -84,7 +103,7 @@ void rename_channels(const Skeleton& old, Skeleton& skeleton) {
       const DegreeOfFreedom& dof = skeleton.joints[j].dofs[d];
       const auto old_axis = coordinate_axis(old.joints[j].dofs[d].axis);
       const auto new_axis = coordinate_axis(dof.axis);
-      if (dof.kind == DofKind::Free || is_named[dof.coordinate]) continue;
+      if (num_coordinates(dof) > 1 || is_named[dof.coordinate]) continue;
       is_named[dof.coordinate] = true;
       std::string& channel = skeleton.coordinates[dof.coordinate].channel;
       if (old_axis && new_axis && channel == channel_name(dof.kind, *old_axis)) {
@@ -98,21 +117,23 @@ void rename_channels(const Skeleton& old, Skeleton& skeleton) {
 /// some be turned around: three oblique axes would become their own mirror image.
 bool turns_about_plain_axes(const Joint& joint) {
   return std::all_of(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
-    return dof.kind == DofKind::Free || dof.kind == DofKind::TailTranslation ||
+    return num_coordinates(dof) > 1 || dof.kind == DofKind::TailTranslation ||
            coordinate_axis(dof.axis) || coordinate_axis(-dof.axis);
   });
 }
 
+/// \param is_turned  columns that are turned already, since several joints may read them
 void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers, Joint& joint,
-                Motion& motion) {
+                std::vector<bool>& is_turned, Motion& motion) {
   joint.offset = turn(joint.offset);
-  turn_free_pose(turn, joint.free_rest.data());
+  turn_numbers(turn, DofKind::Free, joint.free_rest.data());
   for (Tip& tip : joint.tips) tip.offset = turn(tip.offset);
   joint.rest_rotation.vec() = turn(joint.rest_rotation.vec());
   const bool is_plain = turns_about_plain_axes(joint);
   for (DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind == DofKind::Free) {
-      turn_free_columns(turn, dof.coordinate, motion.clip);
+    if (num_coordinates(dof) > 1) {
+      if (!is_turned[dof.coordinate]) turn_columns(turn, dof, motion.clip);
+      is_turned[dof.coordinate] = true;
     } else {
       const bool may_flip = is_plain && dof.kind != DofKind::TailTranslation;
       turn_axis(turn, may_flip && readers[dof.coordinate] == 1, dof, motion);
@@ -131,7 +152,7 @@ void hold_column(Clip& clip, std::size_t column) {
 }
 
 /// Brings a root that slides along oblique axes back over its first place in every frame.
-void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& translations,
+void hold_over_ground(const Joint& root, const std::vector<Translation>& translations,
                       Eigen::Index up, Clip& clip) {
   const Rows rows = clip.mutate();
   std::optional<Vec3> start;
@@ -149,16 +170,15 @@ void hold_over_ground(const Joint& root, const std::vector<TranslationColumn>& t
 }  // namespace
 
 Motion scale(Motion motion, double factor) {
+  const std::vector<bool> is_scaled = length_columns(motion.skeleton);
   for (Joint& joint : motion.skeleton.joints) {
     joint.offset *= factor;
     for (Tip& tip : joint.tips) tip.offset *= factor;
     for (std::size_t k = 0; k < 3; ++k) joint.free_rest[k] *= factor;
     for (DegreeOfFreedom& dof : joint.dofs) {
-      if (!is_length(dof.kind)) continue;
-      for (double* value : {&dof.rest, &dof.lower, &dof.upper, &dof.max_speed}) *value *= factor;
+      if (is_length(dof.kind)) scale_length(factor, is_scaled[dof.coordinate], dof);
     }
   }
-  const std::vector<bool> is_scaled = length_columns(motion.skeleton);
   const Rows rows = motion.clip.mutate();
   for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
     const auto row = rows[f];
@@ -178,7 +198,10 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
   const QuarterTurn turn{axis == 2};
   const auto readers = num_readers_of_columns(motion.skeleton);
   const Skeleton before = motion.skeleton;
-  for (Joint& joint : motion.skeleton.joints) turn_joint(turn, readers, joint, motion);
+  std::vector<bool> is_turned(readers.size(), false);
+  for (Joint& joint : motion.skeleton.joints) {
+    turn_joint(turn, readers, joint, is_turned, motion);
+  }
   rename_channels(before, motion.skeleton);
   return motion;
 }
@@ -188,19 +211,17 @@ Motion in_place(Motion motion) {
   const auto up = static_cast<Eigen::Index>(guess_up_axis(motion));
   for (const Joint& joint : motion.skeleton.joints) {
     if (joint.parent != kNoParent) continue;
-    const std::vector<TranslationColumn> translations = translation_columns(joint);
-    const auto is_level = [up](const TranslationColumn& s) {
-      return std::abs(s.axis[up]) < kStraight;
-    };
-    const auto is_straight = [up, is_level](const TranslationColumn& s) {
+    const std::vector<Translation> translations = translations_of(joint);
+    const auto is_level = [up](const Translation& s) { return std::abs(s.axis[up]) < kStraight; };
+    const auto is_straight = [up, is_level](const Translation& s) {
       return is_level(s) || std::abs(std::abs(s.axis[up]) - 1) < kStraight;
     };
     if (!std::all_of(translations.begin(), translations.end(), is_straight)) {
       hold_over_ground(joint, translations, up, motion.clip);
       continue;
     }
-    for (const TranslationColumn& translation : translations) {
-      if (is_level(translation)) hold_column(motion.clip, translation.column);
+    for (const Translation& translation : translations) {
+      if (is_level(translation)) hold_column(motion.clip, translation.dof.coordinate);
     }
   }
   return motion;

@@ -23,8 +23,9 @@ Error cannot_join(std::string why) {
 /// How the degrees of freedom of a joint differ, or an empty text.
 std::string difference_of_dofs(const Joint& a, const Joint& b) {
   const auto is_same = [](const DegreeOfFreedom& x, const DegreeOfFreedom& y) {
-    return x.kind == y.kind && x.coordinate == y.coordinate &&
-           (x.kind == DofKind::Free || (x.axis - y.axis).norm() <= kSameDirection);
+    return x.kind == y.kind && x.coordinate == y.coordinate && x.gain == y.gain &&
+           x.shift == y.shift &&
+           (num_coordinates(x) > 1 || (x.axis - y.axis).norm() <= kSameDirection);
   };
   const bool is_equal =
       std::equal(a.dofs.begin(), a.dofs.end(), b.dofs.begin(), b.dofs.end(), is_same);

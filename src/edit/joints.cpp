@@ -36,10 +36,11 @@ Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
 
 /// Where a joint sits in its parent's frame in all frames; nothing if it moves there.
 std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
-  const std::vector<TranslationColumn> translations = translation_columns(joint);
+  const std::vector<Translation> translations = translations_of(joint);
   if (translations.empty() || clip.num_frames == 0) return rest_offset(joint);
-  for (const TranslationColumn& translation : translations) {
-    if (!is_always(clip, translation.column, clip.row(0)[translation.column])) return std::nullopt;
+  for (const Translation& translation : translations) {
+    const std::size_t column = translation.dof.coordinate;
+    if (!is_always(clip, column, clip.row(0)[column])) return std::nullopt;
   }
   const Vec3 place = position_in_row(joint.offset, translations, clip.row(0));
   return place.allFinite() ? std::optional(place) : std::nullopt;
@@ -83,8 +84,7 @@ std::vector<std::size_t> owners_of_columns(const Skeleton& skeleton,
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (!is_kept[j]) continue;
     for (const DegreeOfFreedom& dof : skeleton.joints[j].dofs) {
-      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
         std::size_t& owner = owners[dof.coordinate + k];
         if (owner == kDropped) owner = j;
       }

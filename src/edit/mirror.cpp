@@ -23,10 +23,11 @@ namespace {
 constexpr double kSamePlace = 1e-9;  // of the skeleton's size
 constexpr double kReached = 1e-6;    // what may be left, in radians or of the skeleton's size
 
-/// A column that is copied, with its sign or the other.
+/// A number that is copied from one degree of freedom to another, with its value's sign or the
+/// other.
 struct Copy {
-  std::size_t from = 0;
-  std::size_t to = 0;
+  DegreeOfFreedom from;
+  DegreeOfFreedom to;
   double sign = 1;
 };
 
@@ -37,6 +38,7 @@ struct JointPlan {
   Mat3 frame = Mat3::Identity();   ///< M_j: from the target's frame to the source's, mirrored
   Mat3 parent = Mat3::Identity();  ///< M_p^-1: from the source's parent's to the target's parent's
   std::vector<Copy> copies;
+  bool follows = false;            ///< the target follows another joint in some column
   bool is_rotation_found = false;  ///< angles are found anew
   bool is_position_found = false;
 };
@@ -46,7 +48,8 @@ struct MirrorContext {
   double size = 0;
   bool lenient = false;
   Diagnostics& diagnostics;
-  std::vector<Quat> rest = {};  ///< G: how the joints' frames are turned without angles
+  std::vector<Quat> rest = {};            ///< G: how the joints' frames are turned without angles
+  std::vector<std::size_t> leaders = {};  ///< of columns
 };
 
 /// How the frame of every joint is turned in the world where all degrees of freedom are 0.
@@ -95,12 +98,14 @@ std::optional<std::vector<Copy>> copies_of_rotations(const JointPlan& plan, cons
                                                      const Joint& target) {
   const auto from = rotations_of(source);
   const auto to = rotations_of(target);
-  if (from.size() != to.size()) return std::nullopt;
+  if (from.size() != to.size() || is_whole_rotation(from) || is_whole_rotation(to)) {
+    return std::nullopt;
+  }
   std::vector<Copy> copies;
   for (std::size_t k = 0; k < from.size(); ++k) {
     const auto sign = sign_between(to[k].axis, reflect(plan.frame.transpose(), from[k].axis));
     if (!sign) return std::nullopt;
-    copies.push_back({from[k].coordinate, to[k].coordinate, -*sign});
+    copies.push_back({from[k], to[k], -*sign});
   }
   return copies;
 }
@@ -108,17 +113,17 @@ std::optional<std::vector<Copy>> copies_of_rotations(const JointPlan& plan, cons
 /// The copies that mirror the position, if offsets and axes are each other's mirror images.
 std::optional<std::vector<Copy>> copies_of_slides(const JointPlan& plan, const Joint& source,
                                                   const Joint& target, double size) {
-  const auto from = translation_columns(source);
-  const auto to = translation_columns(target);
+  const auto from = translations_of(source);
+  const auto to = translations_of(target);
   const Vec3 image = reflect(plan.parent, source.offset);
   if (from.size() != to.size() || !((image - target.offset).norm() <= kSamePlace * size)) {
     return std::nullopt;
   }
   std::vector<Copy> copies;
-  for (const TranslationColumn& translation : to) {
-    for (const TranslationColumn& other : from) {
+  for (const Translation& translation : to) {
+    for (const Translation& other : from) {
       const auto sign = sign_between(translation.axis, reflect(plan.parent, other.axis));
-      if (sign) copies.push_back({other.column, translation.column, *sign});
+      if (sign) copies.push_back({other.dof, translation.dof, *sign});
     }
   }
   return copies.size() == to.size() ? std::optional(copies) : std::nullopt;
@@ -132,7 +137,7 @@ void copy_tails(const JointPlan& plan, const Joint& source, const Joint& target,
   for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) {
     const bool is_opposite = reflect(plan.frame.transpose(), from[k].axis).dot(to[k].axis) < 0;
     const bool is_negated = is_opposite && kind == DofKind::TailTranslation;
-    copies.push_back({from[k].coordinate, to[k].coordinate, is_negated ? -1.0 : 1.0});
+    copies.push_back({from[k], to[k], is_negated ? -1.0 : 1.0});
   }
 }
 
@@ -147,12 +152,11 @@ JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
   JointPlan plan;
   plan.source = source_index;
   plan.target = target_index;
+  const auto follows = following_dofs(target.dofs, target_index, context.leaders);
+  plan.follows = std::find(follows.begin(), follows.end(), true) != follows.end();
   plan.frame = rest(source_index).transpose() * mirror * rest(target_index);
   plan.parent = rest(target.parent).transpose() * mirror * rest(source.parent);
-  const bool is_free = free_column(source) && free_column(target);
-  if (is_free) {
-    plan.is_rotation_found = true;
-  } else if (auto copies = copies_of_rotations(plan, source, target)) {
+  if (auto copies = copies_of_rotations(plan, source, target)) {
     plan.copies = std::move(*copies);
   } else {
     plan.is_rotation_found = true;
@@ -169,61 +173,67 @@ JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
 
 /// Whether two halves have so different ways to move that a motion of one is lost on the other.
 bool is_position_lost(const Joint& source, const Joint& target) {
-  return translation_columns(source).size() > translation_columns(target).size() ||
-         (free_column(source).has_value() != free_column(target).has_value()) ||
+  return translations_of(source).size() > translations_of(target).size() ||
+         moves_freely(source) != moves_freely(target) ||
          dofs_of_kind(source, DofKind::TailTranslation).size() !=
              dofs_of_kind(target, DofKind::TailTranslation).size() ||
          dofs_of_kind(source, DofKind::TailScale).size() !=
              dofs_of_kind(target, DofKind::TailScale).size();
 }
 
-/// Mirrors the quaternion of a free joint by its numbers, which keep their bits.
-void mirror_free(const JointPlan& plan, std::size_t from, std::size_t to,
-                 std::span<const double> row, std::span<double> result) {
-  const Vec3 old_vec(row[from + 4], row[from + 5], row[from + 6]);
-  const Vec3 new_vec = -reflect(plan.frame.transpose(), old_vec);
-  result[to + 3] = row[from + 3];
-  std::copy(new_vec.begin(), new_vec.end(), result.begin() + static_cast<std::ptrdiff_t>(to + 4));
+/// Mirrors a whole rotation by its numbers, which keep their bits: the vector among them.
+void mirror_numbers(const JointPlan& plan, const DegreeOfFreedom& from, const DegreeOfFreedom& to,
+                    std::span<const double> row, std::span<double> result) {
+  const std::size_t num_before = num_coordinates(from) - 3;  // qw
+  const Vec3 old_vector(&row[from.coordinate + num_before]);
+  const Vec3 new_vector = -reflect(plan.frame.transpose(), old_vector);
+  std::copy_n(&row[from.coordinate], num_before, &result[to.coordinate]);
+  std::copy_n(new_vector.data(), 3, &result[to.coordinate + num_before]);
 }
 
-/// The quaternions of a joint that moves freely, normalised.
-void free_rotations_in_rows(const Clip& clip, const FrameBatch& frames, std::size_t column,
-                            simd::Quaternions& out) {
-  rotation::resize(out, frames.count);
-  for (std::size_t i = 0; i < frames.count; ++i) {
-    rotation::put_quaternion(free_rotation(clip.row(frames.first + i), column), i, out);
-  }
+/// The rotations that the target of a plan is to have in some frames.
+void mirrored_rotations(const MirrorContext& context, const JointPlan& plan,
+                        const FrameBatch& frames, simd::Quaternions& out) {
+  const auto rotations = rotations_of(context.motion.skeleton.joints[plan.source]);
+  rotations_in_rows(rotations, context.motion.clip, frames, context.motion.skeleton.angle_unit,
+                    out);
+  rotation::turn_axes(-plan.frame.transpose(), out);
+}
+
+/// Which of a target's degrees of freedom follow another joint.
+std::vector<bool> follows_of(const MirrorContext& context, const JointPlan& plan,
+                             const std::vector<DegreeOfFreedom>& dofs) {
+  return following_dofs(dofs, plan.target, context.leaders);
+}
+
+std::vector<bool> follows_of(const MirrorContext& context, const JointPlan& plan,
+                             const std::vector<Translation>& translations) {
+  std::vector<DegreeOfFreedom> dofs;
+  for (const Translation& translation : translations) dofs.push_back(translation.dof);
+  return follows_of(context, plan, dofs);
 }
 
 /// Finds the rotation of a joint in all frames. \returns the largest residual angle, in radians
 double find_rotations(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Clip& clip = context.motion.clip;
   const Skeleton& skeleton = context.motion.skeleton;
-  const Joint& source = skeleton.joints[plan.source];
-  const Joint& target = skeleton.joints[plan.target];
-  const auto from = free_column(source);
-  const auto to = free_column(target);
-  if (from && to) {
+  const auto from = rotations_of(skeleton.joints[plan.source]);
+  const auto to = rotations_of(skeleton.joints[plan.target]);
+  const auto follows = follows_of(context, plan, to);
+  const bool is_exact =
+      is_whole_rotation(from) && is_whole_rotation(to) && from[0].kind == to[0].kind && !follows[0];
+  if (is_exact) {
     for (std::size_t f = 0; f < clip.num_frames; ++f) {
-      mirror_free(plan, *from, *to, clip.row(f), rows[f]);
+      mirror_numbers(plan, from[0], to[0], clip.row(f), rows[f]);
     }
     return 0;
   }
-  const auto rotations = rotations_of(source);
-  RotationFitter fitter(rotations_of(target), skeleton.angle_unit, rest_coordinates(skeleton));
+  RotationFitter fitter(to, skeleton.angle_unit, rest_coordinates(skeleton), follows);
   simd::Quaternions found;
   double residual = 0;
   for (const FrameBatch& frames : batches_of(clip.num_frames)) {
-    if (from) {
-      free_rotations_in_rows(clip, frames, *from, found);
-    } else {
-      rotations_in_rows(rotations, clip, frames, skeleton.angle_unit, found);
-    }
-    rotation::turn_axes(-plan.frame.transpose(), found);
-    for (std::size_t i = 0; to && i < frames.count; ++i) {
-      set_free_rotation(rows[frames.first + i], *to, rotation::quaternion_at(found, i));
-    }
-    if (!to) residual = std::max(residual, fitter.fit(found, frames, rows));
+    mirrored_rotations(context, plan, frames, found);
+    residual = std::max(residual, fitter.fit(found, frames, rows));
   }
   return residual;
 }
@@ -232,35 +242,68 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, const
 double find_positions(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
-  const auto from = translation_columns(source);
-  const auto to = translation_columns(target);
+  const auto from = translations_of(source);
+  const auto to = translations_of(target);
   if (to.empty()) return 0;
+  const auto follows = follows_of(context, plan, to);
   double residual = 0;
   for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
     const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
-    residual =
-        std::max(residual, fit_position(target.offset, to, reflect(plan.parent, place), rows[f]));
+    residual = std::max(
+        residual, fit_position(target.offset, to, reflect(plan.parent, place), rows[f], follows));
   }
   return residual;
+}
+
+Result<void> complain_of_joint(const MirrorContext& context, const JointPlan& plan) {
+  const std::vector<Joint>& joints = context.motion.skeleton.joints;
+  return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
+                                       joints[plan.target].name, joints[plan.source].name));
 }
 
 Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
   const Clip& clip = context.motion.clip;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    for (const Copy& copy : plan.copies) {
-      const double value = clip.row(f)[copy.from];
-      rows[f][copy.to] = copy.sign < 0 ? -value : value;
+  for (const Copy& copy : plan.copies) {
+    if (context.leaders[copy.to.coordinate] != plan.target) continue;
+    for (std::size_t f = 0; f < clip.num_frames; ++f) {
+      rows[f][copy.to.coordinate] =
+          carried_over(copy.from, copy.to, copy.sign, clip.row(f)[copy.from.coordinate]);
     }
   }
   // Both are found, whatever comes of the other.
   const double distance = plan.is_position_found ? find_positions(context, plan, rows) : 0;
   const double angle = plan.is_rotation_found ? find_rotations(context, plan, rows) : 0;
   const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
-  if (!is_out_of_reach && !is_position_lost(source, target)) return {};
-  return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
-                                       target.name, source.name));
+  // Where a joint follows others, these may not have moved yet.
+  if ((!is_out_of_reach || plan.follows) && !is_position_lost(source, target)) return {};
+  return complain_of_joint(context, plan);
+}
+
+/// Whether a joint that follows others has come where the mirror puts it.
+bool is_reached(const MirrorContext& context, const JointPlan& plan, const Clip& result) {
+  const Skeleton& skeleton = context.motion.skeleton;
+  const Joint& source = skeleton.joints[plan.source];
+  const Joint& target = skeleton.joints[plan.target];
+  const auto from = translations_of(source);
+  const auto to = translations_of(target);
+  const auto rotations = rotations_of(target);
+  simd::Quaternions wanted;
+  for (const FrameBatch& frames : batches_of(result.num_frames)) {
+    mirrored_rotations(context, plan, frames, wanted);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const std::size_t f = frames.first + i;
+      const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
+      const Vec3 apart =
+          position_in_row(target.offset, to, result.row(f)) - reflect(plan.parent, place);
+      const Quat turned = quaternion_in_row(rotations, result.row(f), skeleton.angle_unit);
+      const double angle = angle_between(rotation::quaternion_at(wanted, i), turned);
+      const bool is_away = !to.empty() && apart.norm() > kReached * context.size;
+      if (is_away || (!rotations.empty() && angle > kReached)) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -270,8 +313,8 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
   const Skeleton& skeleton = motion.skeleton;
   Motion result = motion;
   if (skeleton.joints.empty()) return result;
-  const MirrorContext context{motion, rest_size(skeleton), lenient, diagnostics,
-                              rest_frames(skeleton)};
+  const MirrorContext context{motion,      rest_size(skeleton),   lenient,
+                              diagnostics, rest_frames(skeleton), leaders_of_columns(skeleton)};
   Vec3 signs = Vec3::Ones();
   signs[static_cast<Eigen::Index>(axis)] = -1;
   const Mat3 mirror = signs.asDiagonal();
@@ -284,6 +327,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
     if (!complained) return fail(std::move(complained.error()));
   }
   const Rows rows = result.clip.mutate();
+  std::vector<JointPlan> following;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (skeleton.joints[j].dofs.empty() &&
         (pairs[j] == kNoParent || skeleton.joints[pairs[j]].dofs.empty())) {
@@ -297,8 +341,14 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
       if (!complained) return fail(std::move(complained.error()));
     }
     const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
-    auto done = mirror_joint(context, plan_joint(context, j, target, mirror), rows);
+    const JointPlan plan = plan_joint(context, j, target, mirror);
+    auto done = mirror_joint(context, plan, rows);
     if (!done) return fail(std::move(done.error()));
+    if (plan.follows) following.push_back(plan);
+  }
+  for (const JointPlan& plan : following) {
+    if (is_reached(context, plan, result.clip)) continue;
+    if (auto told = complain_of_joint(context, plan); !told) return fail(std::move(told.error()));
   }
   return result;
 }

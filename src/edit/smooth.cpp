@@ -183,7 +183,7 @@ void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs
     rotation::resize(angles, frames.count);
     for (std::size_t i = 0; i < frames.count; ++i) {
       const auto row = rows[frames.first + i];
-      for (std::size_t k = 0; k < 3; ++k) angles[k][i] = row[dofs[k].coordinate];
+      for (std::size_t k = 0; k < 3; ++k) angles[k][i] = value_in_row(dofs[k], row);
     }
   };
   for (const FrameBatch& frames : batches_of(clip.num_frames)) {
@@ -203,55 +203,69 @@ void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs
     simd::angles_of_quaternions(form, rotations, angles);
     for (std::size_t i = 0; i < frames.count; ++i) {
       const auto row = rows[frames.first + i];
-      for (std::size_t k = 0; k < 3; ++k) row[dofs[k].coordinate] = angles[k][i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        row[dofs[k].coordinate] = column_of(dofs[k], angles[k][i]);
+      }
     }
   }
 }
 
-void smooth_free(const Filter& filter, std::size_t column, Clip& clip) {
+void smooth_whole(const Filter& filter, const DegreeOfFreedom& dof, AngleUnit unit, Clip& clip) {
   std::vector<Lanes> quaternions;
   const Rows rows = clip.mutate();
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const Quat q = free_rotation(rows[f], column);
+    const Quat q = whole_rotation_in_row(dof, rows[f], unit);
     quaternions.push_back({q.w(), q.x(), q.y(), q.z()});
   }
   smooth_rotations(filter, quaternions);
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const Lanes& q = quaternions[f];
-    set_free_rotation(rows[f], column, Quat(q[0], q[1], q[2], q[3]).normalized());
+    set_whole_rotation(dof, Quat(q[0], q[1], q[2], q[3]).normalized(), unit, rows[f]);
   }
 }
 
-/// How a column is smooth where it is not part of a joint's rotation.
-enum class As { Number, Angle, Done };
-
-std::vector<As> kinds_of_columns(const Skeleton& skeleton) {
-  std::vector<As> kinds(skeleton.coordinates.size(), As::Number);
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : rotations_of(joint)) kinds[dof.coordinate] = As::Angle;
-  }
-  return kinds;
-}
-
-/// Smooths the rotation of a joint as a whole, where it is one, and marks its columns.
-void smooth_joint(const Filter& filter, const Joint& joint, AngleUnit unit, std::vector<As>& kinds,
-                  Clip& clip) {
+/// The columns of some degrees of freedom.
+std::vector<std::size_t> columns_of(const std::vector<DegreeOfFreedom>& dofs) {
   std::vector<std::size_t> columns;
-  const auto rotations = rotations_of(joint);
-  const auto free = free_column(joint);
-  if (free) columns = {*free + 3, *free + 4, *free + 5, *free + 6};
-  const auto axes = euler_axes_of(rotations);
-  if (axes) {
-    for (const DegreeOfFreedom& dof : rotations) columns.push_back(dof.coordinate);
+  for (const DegreeOfFreedom& dof : dofs) {
+    for (std::size_t k = 0; k < num_coordinates(dof); ++k) columns.push_back(dof.coordinate + k);
   }
-  for (const std::size_t column : columns) kinds[column] = As::Done;
-  if (columns.empty() || is_constant(clip, columns)) return;
-  if (free) {
-    smooth_free(filter, *free, clip);
+  return columns;
+}
+
+/// Smooths the rotation of a joint as a whole, where it is one that the joint leads, and marks its
+/// columns.
+/// \param leads  whether the joint follows no other in any of these columns
+void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rotations, bool leads,
+                  AngleUnit unit, std::vector<bool>& is_done, Clip& clip) {
+  const auto axes = euler_axes_of(rotations);
+  const bool is_whole = is_whole_rotation(rotations);
+  const bool has_gains = std::all_of(rotations.begin(), rotations.end(),
+                                     [](const DegreeOfFreedom& dof) { return dof.gain != 0; });
+  if (!leads || !has_gains || (!axes && !is_whole)) return;
+  const std::vector<std::size_t> columns = columns_of(rotations);
+  for (const std::size_t column : columns) is_done[column] = true;
+  if (is_constant(clip, columns)) return;
+  if (is_whole) {
+    smooth_whole(filter, rotations[0], unit, clip);
   } else {
     const auto form = rotation::euler_form(*axes, unit == AngleUnit::Degrees);
     smooth_euler(filter, rotations, form, clip);
   }
+}
+
+/// Smooths all rotations that are told as one. Returns which columns these have.
+std::vector<bool> smooth_joints(const Filter& filter, Motion& motion) {
+  const Skeleton& skeleton = motion.skeleton;
+  const std::vector<std::size_t> leaders = leaders_of_columns(skeleton);
+  std::vector<bool> is_done(skeleton.coordinates.size(), false);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const auto rotations = rotations_of(skeleton.joints[j]);
+    const auto follows = following_dofs(rotations, j, leaders);
+    const bool leads = std::find(follows.begin(), follows.end(), true) == follows.end();
+    smooth_joint(filter, rotations, leads, skeleton.angle_unit, is_done, motion.clip);
+  }
+  return is_done;
 }
 
 std::optional<Error> find_not_finite(const Motion& motion) {
@@ -287,15 +301,11 @@ Result<Motion> smooth(Motion motion, double cutoff_hz) {
   }
   if (auto error = find_not_finite(motion)) return fail(std::move(*error));
   const Filter filter(cutoff_hz, rate);
-  const Skeleton& skeleton = motion.skeleton;
-  std::vector<As> kinds = kinds_of_columns(skeleton);
-  for (const Joint& joint : skeleton.joints) {
-    smooth_joint(filter, joint, skeleton.angle_unit, kinds, motion.clip);
-  }
+  const std::vector<double> turns = turns_of_columns(motion.skeleton);
+  const std::vector<bool> is_done = smooth_joints(filter, motion);
   std::vector<Column> columns;
-  for (std::size_t c = 0; c < kinds.size(); ++c) {
-    if (kinds[c] == As::Number) columns.push_back({c, 0});
-    if (kinds[c] == As::Angle) columns.push_back({c, whole_turn(skeleton.angle_unit)});
+  for (std::size_t c = 0; c < is_done.size(); ++c) {
+    if (!is_done[c]) columns.push_back({c, turns[c]});
   }
   for (std::size_t c = 0; c < columns.size(); c += kLanes) {
     const std::span<const Column> all = columns;

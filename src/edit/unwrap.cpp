@@ -25,13 +25,14 @@ void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double tur
   }
 }
 
-/// Three columns that together are a rotation which another triple gives, too.
+/// Three rotations that together are one which another triple gives, too.
 struct Triple {
-  std::array<std::size_t, 3> columns;
+  std::array<DegreeOfFreedom, 3> rotations;
   bool is_proper;  ///< the outer axes are the same: z x z
 
   Vec3 in_row(std::span<const double> row) const {
-    return {row[columns[0]], row[columns[1]], row[columns[2]]};
+    return {value_in_row(rotations[0], row), value_in_row(rotations[1], row),
+            value_in_row(rotations[2], row)};
   }
 };
 
@@ -53,7 +54,11 @@ void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double t
       if (step > turn / 4 && (twin - *before).cwiseAbs().maxCoeff() < step) best = twin;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      rows[f][triple.columns[k]] = best[static_cast<Eigen::Index>(k)];
+      const DegreeOfFreedom& dof = triple.rotations[k];
+      const double angle = best[static_cast<Eigen::Index>(k)];
+      if (angle != angles[static_cast<Eigen::Index>(k)]) {
+        rows[f][dof.coordinate] = column_of(dof, angle);
+      }
     }
     before = best;
   }
@@ -67,37 +72,39 @@ std::optional<Triple> triple_of(const std::vector<DegreeOfFreedom>& rotations,
   if (!axes) return std::nullopt;
   Triple triple{};
   for (std::size_t k = 0; k < 3; ++k) {
-    triple.columns[k] = rotations[k].coordinate;
-    if (readers[triple.columns[k]] != 1) return std::nullopt;
+    triple.rotations[k] = rotations[k];
+    if (readers[rotations[k].coordinate] != 1 || rotations[k].gain == 0) return std::nullopt;
   }
   triple.is_proper = std::abs((*axes)[2].dot((*axes)[0])) > 0.5;
   return triple;
 }
 
-/// Columns that are angles and nothing else.
-std::vector<bool> angle_columns(const Skeleton& skeleton) {
-  std::vector<bool> is_angle(skeleton.coordinates.size(), true);
-  const auto readers = num_readers_of_columns(skeleton);
-  for (std::size_t c = 0; c < readers.size(); ++c) is_angle[c] = readers[c] > 0;
-  for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      const std::size_t count = dof.kind == DofKind::Free ? 7 : 1;
-      if (dof.kind == DofKind::Rotation) continue;
-      for (std::size_t k = 0; k < count; ++k) is_angle[dof.coordinate + k] = false;
-    }
-  }
-  return is_angle;
-}
-
 /// Gives a joint's quaternions the signs by which they change least.
-void unwrap_free(Clip& clip, std::size_t begin, std::size_t first) {
+void unwrap_quaternions(Clip& clip, std::size_t begin, std::size_t first) {
   const Rows rows = clip.mutate();
   std::optional<Eigen::Vector4d> before;
   for (std::size_t f = begin; f < clip.num_frames; ++f) {
-    Eigen::Map<Eigen::Vector4d> quaternion(&rows[f][first + 3]);
+    Eigen::Map<Eigen::Vector4d> quaternion(&rows[f][first]);
     if (!quaternion.allFinite()) continue;
     if (before && quaternion.dot(*before) < 0) quaternion = -quaternion;
     before = quaternion;
+  }
+}
+
+/// Brings rotation vectors to the turn about their axis that is nearest to the one before.
+void unwrap_vectors(Clip& clip, std::size_t begin, std::size_t first, double turn) {
+  const Rows rows = clip.mutate();
+  std::optional<Vec3> before;
+  for (std::size_t f = begin; f < clip.num_frames; ++f) {
+    Eigen::Map<Vec3> vector(&rows[f][first]);
+    if (!vector.allFinite()) continue;
+    const double length = vector.norm();
+    if (before && length > 0) {
+      const double near = before->dot(vector) / length;
+      const double angle = nearest_turn(length, near, turn);
+      if (angle != length) vector *= angle / length;
+    }
+    before = vector;
   }
 }
 
@@ -107,16 +114,20 @@ void unwrap_from(Motion& motion, std::size_t first_frame) {
   const std::size_t begin = first_frame > 0 ? first_frame - 1 : 0;
   const double turn = whole_turn(motion.skeleton.angle_unit);
   const auto readers = num_readers_of_columns(motion.skeleton);
-  std::vector<bool> is_waiting = angle_columns(motion.skeleton);
+  std::vector<double> turns = turns_of_columns(motion.skeleton);
   for (const Joint& joint : motion.skeleton.joints) {
-    if (const auto column = free_column(joint)) unwrap_free(motion.clip, begin, *column);
-    if (const auto triple = triple_of(rotations_of(joint), readers)) {
+    const auto rotations = rotations_of(joint);
+    if (const auto triple = triple_of(rotations, readers)) {
       unwrap_triple(motion.clip, begin, *triple, turn);
-      for (const std::size_t column : triple->columns) is_waiting[column] = false;
+      for (const DegreeOfFreedom& dof : triple->rotations) turns[dof.coordinate] = 0;
+    } else if (is_whole_rotation(rotations) && rotations[0].kind == DofKind::Ball) {
+      unwrap_quaternions(motion.clip, begin, rotations[0].coordinate);
+    } else if (is_whole_rotation(rotations)) {
+      unwrap_vectors(motion.clip, begin, rotations[0].coordinate, turn);
     }
   }
-  for (std::size_t c = 0; c < is_waiting.size(); ++c) {
-    if (is_waiting[c]) unwrap_column(motion.clip, begin, c, turn);
+  for (std::size_t c = 0; c < turns.size(); ++c) {
+    if (turns[c] > 0) unwrap_column(motion.clip, begin, c, turns[c]);
   }
 }
 

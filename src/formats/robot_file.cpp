@@ -177,7 +177,8 @@ Joint joint_of(const Link& link, bool is_root) {
   return joint;
 }
 
-DegreeOfFreedom dof_of(const Link& link, const Vec3& axis, std::size_t column) {
+/// \param column  that of the link's id, or of its own
+DegreeOfFreedom dof_of(const Robot& robot, const Link& link, const Vec3& axis, std::size_t column) {
   DegreeOfFreedom dof;
   dof.kind = link.type == JointType::Revolute ? DofKind::Rotation : DofKind::Translation;
   dof.axis = axis;
@@ -186,6 +187,13 @@ DegreeOfFreedom dof_of(const Link& link, const Vec3& axis, std::size_t column) {
   dof.lower = link.lower;
   dof.upper = link.upper;
   dof.max_speed = link.max_speed;
+  if (link.follows) {
+    const Link& leader = robot.links[link.follows->link];
+    dof.coordinate = kNumRootColumns + *leader.joint_id;
+    dof.rest = leader.rest;
+    dof.gain = link.follows->gain;
+    dof.shift = link.follows->shift;
+  }
   return dof;
 }
 
@@ -212,6 +220,16 @@ std::optional<std::size_t> column_of(const Link& link, std::size_t joint, Skelet
   if (!is_taken[*link.joint_id]) skeleton.coordinates[column] = {joint, "q"};
   is_taken[*link.joint_id] = true;
   return column;
+}
+
+/// Lets joints of one id rest alike: as the last of them does.
+void agree_at_rest(Skeleton& skeleton) {
+  const std::vector<double> rest = rest_coordinates(skeleton);
+  for (Joint& joint : skeleton.joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Free) dof.rest = rest[dof.coordinate];
+    }
+  }
 }
 
 }  // namespace
@@ -274,11 +292,12 @@ std::optional<Document> document_of(const Robot& robot, std::string_view format,
     if (j > 0 && moves(link)) {
       const auto axis = axis_of(link, codes, diagnostics);
       is_good &= axis.has_value();
-      if (axis && column) joint.dofs.push_back(dof_of(link, *axis, *column));
+      if (axis && column) joint.dofs.push_back(dof_of(robot, link, *axis, *column));
     }
     skeleton.joints.push_back(std::move(joint));
   }
   if (!is_good) return std::nullopt;
+  agree_at_rest(skeleton);
   document.format = format;
   document.kept = Kept(KeptFile{{}, *num_ids});
   document.content = std::move(skeleton);

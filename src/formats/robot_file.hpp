@@ -36,6 +36,13 @@ struct Spot {
   }
 };
 
+/// How a joint follows another one: its value is gain * the other's + shift.
+struct Follows {
+  std::size_t link = 0;  ///< which hangs on the other joint; it moves and follows none
+  double gain = 1;
+  double shift = 0;
+};
+
 /// A link and the joint that it hangs on, as a file has them; angles in radians, lengths in metres.
 /// All numbers are finite but for limits.
 struct Link {
@@ -51,6 +58,7 @@ struct Link {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
+  std::optional<Follows> follows;
   Spot spot;                  ///< of its name
   Spot parent_spot;           ///< of its parent's name, or where that might stand
   Spot axis_spot, id_spot{};  ///< of what the file says
@@ -98,7 +106,8 @@ std::vector<Fact> facts(const Document& document);
 
 /// Makes a document of a robot: its links in depth-first order, children in the order of
 /// declaration, the root moving freely; columns for the root's pose, for the joint ids from 0 on
-/// and for the joints that have none.
+/// and for the joints that have none. A joint that follows another reads that one's column; the
+/// column of its own id is there and read by nothing (see `following_columns`).
 /// \param format  the document's
 /// \returns       nothing after errors, which are in `diagnostics`
 /// Source: Choreonoid 2.5 (LinkTraverse, Body::updateLinkTree), whose order of joint values it is.

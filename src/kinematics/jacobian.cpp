@@ -20,25 +20,58 @@ Mat3 eigen_of(const simd::Matrix& m) {
   return matrix;
 }
 
-/// The quaternion of a free joint, not normalised.
+/// The quaternion that a joint turns by, not normalised.
 Quat quaternion_in_row(const simd::PlannedJoint& joint, std::span<const double> row) {
-  const double* q = &row[joint.quaternion_coordinate];
+  const double* q = &row[joint.whole_coordinate];
   return {q[0], q[1], q[2], q[3]};
 }
 
 /// Its rotation, normalised under the same condition as in the kernel.
-Mat3 free_rotation_in_row(const simd::PlannedJoint& joint, std::span<const double> row) {
+Mat3 rotation_of_quaternion(const simd::PlannedJoint& joint, std::span<const double> row) {
   constexpr double kRoundedSquare = 1e-8;
   const Quat q = quaternion_in_row(joint, row);
   const bool is_unit = std::abs(q.squaredNorm() - 1) <= kRoundedSquare;
   return (is_unit ? q : Quat(Quat::Coefficients(q.coeffs() / q.norm()))).toRotationMatrix();
 }
 
+/// The rotation vector that a joint turns by, in radians.
+Vec3 vector_in_row(const simd::PlannedJoint& joint, double radians_per_unit,
+                   std::span<const double> row) {
+  return radians_per_unit * Vec3(&row[joint.whole_coordinate]);
+}
+
+Mat3 rotation_of_vector(const Vec3& vector) {
+  const double angle = vector.norm();
+  return Eigen::AngleAxisd(angle, angle == 0 ? Vec3::UnitX() : Vec3(vector / angle)).matrix();
+}
+
+/// The whole rotation that a joint turns by, if it does.
+Mat3 whole_rotation(const simd::PlannedJoint& joint, double radians_per_unit,
+                    std::span<const double> row) {
+  if (joint.whole == simd::WholeRotation::Quaternion) return rotation_of_quaternion(joint, row);
+  return rotation_of_vector(vector_in_row(joint, radians_per_unit, row));
+}
+
+/// How a rotation turns for a change of its rotation vector, seen in the frame that it acts in: the
+/// left Jacobian of the exponential map.
+Mat3 turn_of_vector(const Vec3& vector) {
+  constexpr double kSmall = 1e-4;  // radians; below, two terms of the series are exact
+  const double square = vector.squaredNorm();
+  const double angle = std::sqrt(square);
+  const bool is_small = angle < kSmall;
+  const double first = is_small ? 0.5 - square / 24 : (1 - std::cos(angle)) / square;
+  const double second =
+      is_small ? 1.0 / 6 - square / 120 : (angle - std::sin(angle)) / (square * angle);
+  Mat3 cross;
+  cross << 0, -vector[2], vector[1], vector[2], 0, -vector[0], -vector[1], vector[0], 0;
+  return Mat3::Identity() + first * cross + second * (cross * cross);
+}
+
 /// Where a joint's origin lies in its parent's frame, without what the parent's tail does.
 Vec3 origin_in_row(const simd::PlannedJoint& joint, std::span<const double> row) {
   Vec3 origin = eigen_of(joint.offset);
   for (const simd::Shift& shift : joint.shifts) {
-    origin += row[shift.coordinate] * eigen_of(shift.direction);
+    origin += shift.input.value(row.data()) * eigen_of(shift.direction);
   }
   return origin;
 }
@@ -54,7 +87,7 @@ Vec3 on_tail(const simd::PlannedJoint& joint, std::span<const double> row, std::
              Vec3 point) {
   for (std::size_t m = count; m-- > 0;) {
     const simd::TailMove& move = joint.tail_moves[m];
-    const double value = row[move.coordinate];
+    const double value = move.input.value(row.data());
     point += (move.is_scale ? value - 1 : value) * step_of(move, point);
   }
   return point;
@@ -65,7 +98,8 @@ Vec3 along_tail(const simd::PlannedJoint& joint, std::span<const double> row, st
                 Vec3 direction) {
   for (std::size_t m = count; m-- > 0;) {
     const simd::TailMove& move = joint.tail_moves[m];
-    if (move.is_scale) direction += (row[move.coordinate] - 1) * step_of(move, direction);
+    if (!move.is_scale) continue;
+    direction += (move.input.value(row.data()) - 1) * step_of(move, direction);
   }
   return direction;
 }
@@ -79,6 +113,10 @@ struct Columns {
       numbers[3 * coordinate + k] += derivative[static_cast<Eigen::Index>(k)];
     }
   }
+  /// \param derivative  by the value that the column gives
+  void add(const simd::Input& input, const Vec3& derivative) const {
+    add(input.coordinate, input.gain * derivative);
+  }
 };
 
 /// The moves of a joint's tail, for a point that they act on.
@@ -88,19 +126,19 @@ void add_tail(const simd::PlannedJoint& joint, const JointFrame& frame, const Ve
   for (std::size_t m = joint.tail_moves.size(); m-- > 0;) {
     const simd::TailMove& move = joint.tail_moves[m];
     const Vec3 step = step_of(move, moved);
-    columns.add(move.coordinate, frame.rotation * along_tail(joint, row, m, step));
-    const double value = row[move.coordinate];
+    columns.add(move.input, frame.rotation * along_tail(joint, row, m, step));
+    const double value = move.input.value(row.data());
     moved += (move.is_scale ? value - 1 : value) * step;
   }
 }
 
-/// The quaternion of a free joint. A change d of q turns the joint by the vector of
+/// A quaternion. A change d of q turns the joint by the vector of
 /// 2 d conjugate(q) / |q|^2, seen in the frame that the quaternion acts in.
 void add_quaternion(const simd::PlannedJoint& joint, const Mat3& outer, const Vec3& arm,
                     std::span<const double> row, const Columns& columns) {
   const Quat q = quaternion_in_row(joint, row);
   const double factor = 2 / q.squaredNorm();
-  const std::size_t first = joint.quaternion_coordinate;
+  const std::size_t first = joint.whole_coordinate;
   columns.add(first, (outer * (-factor * q.vec())).cross(arm));
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 unit = Vec3::Unit(static_cast<Eigen::Index>(k));
@@ -109,19 +147,29 @@ void add_quaternion(const simd::PlannedJoint& joint, const Mat3& outer, const Ve
   }
 }
 
+void add_vector(const simd::PlannedJoint& joint, const Mat3& outer, const Vec3& arm,
+                double radians_per_unit, std::span<const double> row, const Columns& columns) {
+  const Mat3 turn = outer * turn_of_vector(vector_in_row(joint, radians_per_unit, row));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 axis = turn.col(static_cast<Eigen::Index>(k));
+    columns.add(joint.whole_coordinate + k, radians_per_unit * axis.cross(arm));
+  }
+}
+
 /// The rotations of a joint.
 /// \param outer  world_from_parent and the rest rotation
 /// \param arm    from the joint's origin to the point, in the world
 void add_rotations(const simd::PlannedJoint& joint, Mat3 outer, const Vec3& arm,
                    double radians_per_unit, std::span<const double> row, const Columns& columns) {
-  if (joint.is_free) {
+  if (joint.whole == simd::WholeRotation::Quaternion) {
     add_quaternion(joint, outer, arm, row, columns);
-    outer = outer * free_rotation_in_row(joint, row);
+  } else if (joint.whole == simd::WholeRotation::AxisAngle) {
+    add_vector(joint, outer, arm, radians_per_unit, row, columns);
   }
-  for (const simd::Turn& turn : joint.turns) {
+  for (const simd::Turn& turn : joint.turns) {  // there are none beside a whole rotation
     const Vec3 axis = eigen_of(turn.direction);
-    columns.add(turn.coordinate, radians_per_unit * (outer * axis).cross(arm));
-    outer = outer * Eigen::AngleAxisd(radians_per_unit * row[turn.coordinate], axis);
+    columns.add(turn.input, radians_per_unit * (outer * axis).cross(arm));
+    outer = outer * Eigen::AngleAxisd(radians_per_unit * turn.input.value(row.data()), axis);
   }
 }
 
@@ -141,9 +189,11 @@ void Kinematics::place_row(std::span<const double> row, std::span<JointFrame> fr
     }
     frame.position += frame.rotation * origin;
     if (joint.has_rest_rotation) frame.rotation *= eigen_of(joint.rest_rotation);
-    if (joint.is_free) frame.rotation *= free_rotation_in_row(joint, row);
+    if (joint.whole != simd::WholeRotation::None) {
+      frame.rotation *= whole_rotation(joint, plan_->radians_per_unit, row);
+    }
     for (const simd::Turn& turn : joint.turns) {
-      double angle = row[turn.coordinate];
+      double angle = turn.input.value(row.data());
       // Whole turns are taken off first, which is exact in degrees.
       if (plan_->world.is_in_degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
       frame.rotation = frame.rotation * Eigen::AngleAxisd(angle, eigen_of(turn.direction));
@@ -181,7 +231,7 @@ void Kinematics::jacobian(const JointPoint& point, std::span<const double> row,
         const simd::PlannedJoint& parent = joints[joint.parent];
         direction = along_tail(parent, row, parent.tail_moves.size(), direction);
       }
-      columns.add(shift.coordinate, parent_frame.rotation * direction);
+      columns.add(shift.input, parent_frame.rotation * direction);
     }
     if (is_root) break;
     add_tail(joints[joint.parent], parent_frame, origin_in_row(joint, row), row, columns);

@@ -10,22 +10,45 @@
 namespace kinefile {
 namespace {
 
-/// Columns that are there once each: where several translations read one, it moves along the sum.
-std::vector<TranslationColumn> without_repeated_columns(
-    const std::vector<TranslationColumn>& translations) {
-  std::vector<TranslationColumn> columns;
-  for (const TranslationColumn& translation : translations) {
-    const auto same = std::find_if(columns.begin(), columns.end(),
-                                   [&translation](const TranslationColumn& other) {
-                                     return other.column == translation.column;
-                                   });
-    if (same == columns.end()) {
-      columns.push_back(translation);
+/// A column that moves a point: along which way by a change of 1.
+struct Way {
+  Vec3 along = Vec3::Zero();
+  std::size_t column = 0;
+};
+
+/// The columns that may change, once each: where several translations read one, it moves along the
+/// sum.
+std::vector<Way> ways_of(const std::vector<Translation>& translations,
+                         const std::vector<bool>& follows) {
+  std::vector<Way> ways;
+  for (std::size_t t = 0; t < translations.size(); ++t) {
+    if (!follows.empty() && follows[t]) continue;
+    const DegreeOfFreedom& dof = translations[t].dof;
+    const Vec3 along = is_plain(dof) ? translations[t].axis : Vec3(dof.gain * translations[t].axis);
+    const auto same = std::find_if(ways.begin(), ways.end(), [&dof](const Way& other) {
+      return other.column == dof.coordinate;
+    });
+    if (same == ways.end()) {
+      ways.push_back({along, dof.coordinate});
     } else {
-      same->axis += translation.axis;
+      same->along += along;
     }
   }
-  return columns;
+  return ways;
+}
+
+/// After how much a column comes round that is read by rotations alone, with these gains.
+double turn_of_gains(const std::vector<double>& gains, double whole_turn) {
+  constexpr double kTolerance = 1e-9;
+  double least = 0;
+  for (const double gain : gains) {
+    if (gain != 0 && (least == 0 || gain < least)) least = gain;
+  }
+  if (least == 0) return 0;
+  const bool come_round = std::all_of(gains.begin(), gains.end(), [least](double gain) {
+    return std::abs(gain / least - std::round(gain / least)) <= kTolerance;
+  });
+  return come_round ? whole_turn / least : 0;
 }
 
 }  // namespace
@@ -39,38 +62,100 @@ bool all_finite(std::span<const double> numbers) {
                      [](double number) { return std::isfinite(number); });
 }
 
-std::vector<TranslationColumn> translation_columns(const Joint& joint) {
-  std::vector<TranslationColumn> translations;
+std::vector<double> turns_of_columns(const Skeleton& skeleton) {
+  std::vector<std::vector<double>> gains(skeleton.coordinates.size());
+  std::vector<bool> is_other(skeleton.coordinates.size(), false);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Rotation) gains[dof.coordinate].push_back(std::abs(dof.gain));
+      for (std::size_t k = 0; dof.kind != DofKind::Rotation && k < num_coordinates(dof); ++k) {
+        is_other[dof.coordinate + k] = true;
+      }
+    }
+  }
+  std::vector<double> turns(gains.size(), 0.0);
+  for (std::size_t c = 0; c < turns.size(); ++c) {
+    if (!is_other[c]) turns[c] = turn_of_gains(gains[c], whole_turn(skeleton.angle_unit));
+  }
+  return turns;
+}
+
+double carried_over(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor,
+                    double number) {
+  if (from.gain == to.gain && factor * from.shift == to.shift) return factor * number;
+  return column_of(to, factor * value_of(from, number));
+}
+
+std::vector<bool> following_dofs(const std::vector<DegreeOfFreedom>& dofs, std::size_t joint,
+                                 const std::vector<std::size_t>& leaders) {
+  std::vector<bool> follows;
+  for (const DegreeOfFreedom& dof : dofs) {
+    bool leads = true;
+    for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
+      leads = leads && leaders[dof.coordinate + k] == joint;
+    }
+    follows.push_back(!leads);
+  }
+  return follows;
+}
+
+void fill_following_columns(Motion& motion, std::size_t first) {
+  const std::vector<FollowingColumn> columns = following_columns(motion.skeleton);
+  if (columns.empty()) return;
+  const Rows rows = motion.clip.mutate();
+  for (const FollowingColumn& following : columns) {
+    if (following.column < first) continue;
+    const DegreeOfFreedom& dof = motion.skeleton.joints[following.joint].dofs[0];
+    for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+      rows[f][following.column] = value_of(dof, rows[f][dof.coordinate]);
+    }
+  }
+}
+
+std::vector<Translation> translations_of(const Joint& joint) {
+  std::vector<Translation> translations;
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind == DofKind::Translation) {
-      translations.push_back({joint.rest_rotation * dof.axis, dof.coordinate});
+      translations.push_back({joint.rest_rotation * dof.axis, dof});
     }
     for (std::size_t k = 0; dof.kind == DofKind::Free && k < 3; ++k) {
       const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(k));
-      translations.push_back({joint.rest_rotation * axis, dof.coordinate + k});
+      translations.push_back(
+          {joint.rest_rotation * axis,
+           {DofKind::Translation, axis, dof.coordinate + k, joint.free_rest[k]}});
     }
   }
   return translations;
 }
 
-Vec3 position_in_row(const Vec3& offset, const std::vector<TranslationColumn>& translations,
+Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& translations,
                      std::span<const double> row) {
   Vec3 position = offset;
-  for (const TranslationColumn& translation : translations)
-    position += row[translation.column] * translation.axis;
+  for (const Translation& translation : translations) {
+    position += value_in_row(translation.dof, row) * translation.axis;
+  }
   return position;
 }
 
-double fit_position(const Vec3& offset, const std::vector<TranslationColumn>& translations,
-                    const Vec3& position, std::span<double> row) {
-  const std::vector<TranslationColumn> columns = without_repeated_columns(translations);
-  const Vec3 wanted = position - offset;
-  if (columns.empty()) return wanted.norm();
-  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(columns.size()));
+double fit_position(const Vec3& offset, const std::vector<Translation>& translations,
+                    const Vec3& position, std::span<double> row, const std::vector<bool>& follows) {
+  const std::vector<Way> ways = ways_of(translations, follows);
+  // Where the point is while the columns that may change are 0.
+  Vec3 start = offset;
+  for (std::size_t t = 0; t < translations.size(); ++t) {
+    const DegreeOfFreedom& dof = translations[t].dof;
+    const bool is_fixed = !follows.empty() && follows[t];
+    if (is_fixed || dof.shift != 0) {
+      start += (is_fixed ? value_in_row(dof, row) : dof.shift) * translations[t].axis;
+    }
+  }
+  const Vec3 wanted = position - start;
+  if (ways.empty()) return wanted.norm();
+  Eigen::Matrix3Xd axes(3, static_cast<Eigen::Index>(ways.size()));
   Eigen::VectorXd values(axes.cols());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const double now = row[columns[k].column];
-    axes.col(static_cast<Eigen::Index>(k)) = columns[k].axis;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const double now = row[ways[k].column];
+    axes.col(static_cast<Eigen::Index>(k)) = ways[k].along;
     values[static_cast<Eigen::Index>(k)] = std::isfinite(now) ? now : 0;
   }
   constexpr double kSquare = 1e-12;
@@ -82,25 +167,10 @@ double fit_position(const Vec3& offset, const std::vector<TranslationColumn>& tr
     // The second step takes off what rounding left of the first.
     for (int step = 0; step < 2; ++step) values += solver.solve(wanted - axes * values);
   }
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    row[columns[k].column] = values[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    row[ways[k].column] = values[static_cast<Eigen::Index>(k)];
   }
   return (axes * values - wanted).norm();
-}
-
-std::optional<std::size_t> free_column(const Joint& joint) {
-  return moves_freely(joint) ? std::optional(joint.dofs[0].coordinate) : std::nullopt;
-}
-
-Quat free_rotation(std::span<const double> row, std::size_t column) {
-  return Quat(row[column + 3], row[column + 4], row[column + 5], row[column + 6]).normalized();
-}
-
-void set_free_rotation(std::span<double> row, std::size_t column, const Quat& rotation) {
-  row[column + 3] = rotation.w();
-  for (std::size_t k = 0; k < 3; ++k) {
-    row[column + 4 + k] = rotation.vec()[static_cast<Eigen::Index>(k)];
-  }
 }
 
 }  // namespace kinefile

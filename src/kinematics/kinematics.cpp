@@ -18,8 +18,15 @@ std::size_t kernel_axis(const Vec3& axis) {
   return along ? *along : coordinate_axis(-axis).value_or(3);
 }
 
+simd::Input input_of(const DegreeOfFreedom& dof) { return {dof.coordinate, dof.gain, dof.shift}; }
+
+void plan_whole(simd::WholeRotation kind, std::size_t coordinate, simd::PlannedJoint& planned) {
+  planned.whole = kind;
+  planned.whole_coordinate = coordinate;
+}
+
 simd::Turn plan_turn(const DegreeOfFreedom& dof) {
-  return {dof.coordinate, kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
+  return {input_of(dof), kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
           vector_of(dof.axis)};
 }
 
@@ -29,19 +36,24 @@ void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::Plann
       planned.turns.push_back(plan_turn(dof));
       break;
     case DofKind::Translation:
-      planned.shifts.push_back({dof.coordinate, vector_of(rest_rotation * dof.axis)});
+      planned.shifts.push_back({input_of(dof), vector_of(rest_rotation * dof.axis)});
       break;
     case DofKind::Free:
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 axis = rest_rotation.col(static_cast<Eigen::Index>(k));
-        planned.shifts.push_back({dof.coordinate + k, vector_of(axis)});
+        planned.shifts.push_back({{dof.coordinate + k}, vector_of(axis)});
       }
-      planned.is_free = true;
-      planned.quaternion_coordinate = dof.coordinate + 3;
+      plan_whole(simd::WholeRotation::Quaternion, dof.coordinate + 3, planned);
+      break;
+    case DofKind::Ball:
+      plan_whole(simd::WholeRotation::Quaternion, dof.coordinate, planned);
+      break;
+    case DofKind::RotationVector:
+      plan_whole(simd::WholeRotation::AxisAngle, dof.coordinate, planned);
       break;
     case DofKind::TailTranslation:
     case DofKind::TailScale:
-      planned.tail_moves.push_back({dof.coordinate, dof.kind == DofKind::TailScale,
+      planned.tail_moves.push_back({input_of(dof), dof.kind == DofKind::TailScale,
                                     kernel_axis(dof.axis), vector_of(dof.axis)});
       break;
   }

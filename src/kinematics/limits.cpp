@@ -20,19 +20,20 @@ void count(LimitBreach& breach, std::size_t frame, double value, double excess, 
   breach.worst_frame = frame;
 }
 
-void find_breaches(const Motion& motion, std::size_t joint, const DegreeOfFreedom& dof,
+void find_breaches(const Motion& motion, std::size_t joint, std::size_t dof_index,
                    std::vector<LimitBreach>& breaches) {
   using Kind = LimitBreach::Kind;
-  LimitBreach below{Kind::Below, joint, 0, 0, 0, 0, dof.lower};
-  LimitBreach above{Kind::Above, joint, 0, 0, 0, 0, dof.upper};
-  LimitBreach fast{Kind::TooFast, joint, 0, 0, 0, 0, dof.max_speed};
+  const DegreeOfFreedom& dof = motion.skeleton.joints[joint].dofs[dof_index];
+  LimitBreach below{Kind::Below, joint, dof_index, 0, 0, 0, 0, dof.lower};
+  LimitBreach above{Kind::Above, joint, dof_index, 0, 0, 0, 0, dof.upper};
+  LimitBreach fast{Kind::TooFast, joint, dof_index, 0, 0, 0, 0, dof.max_speed};
   double worst_below = 0, worst_above = 0, worst_fast = 0;
   for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
-    const double value = motion.clip.row(f)[dof.coordinate];
+    const double value = value_of(dof, motion.clip.row(f)[dof.coordinate]);
     count(below, f, value, dof.lower - value, worst_below);
     count(above, f, value, value - dof.upper, worst_above);
     if (f == 0) continue;
-    const double way = value - motion.clip.row(f - 1)[dof.coordinate];
+    const double way = value - value_of(dof, motion.clip.row(f - 1)[dof.coordinate]);
     const double time =
         time_of_frame(motion.clip.timeline, f) - time_of_frame(motion.clip.timeline, f - 1);
     const double speed = std::abs(way) / time;
@@ -48,8 +49,9 @@ void find_breaches(const Motion& motion, std::size_t joint, const DegreeOfFreedo
 std::vector<LimitBreach> find_limit_breaches(const Motion& motion) {
   std::vector<LimitBreach> breaches;
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    for (const DegreeOfFreedom& dof : motion.skeleton.joints[j].dofs) {
-      if (dof.kind != DofKind::Free) find_breaches(motion, j, dof, breaches);
+    const std::vector<DegreeOfFreedom>& dofs = motion.skeleton.joints[j].dofs;
+    for (std::size_t d = 0; d < dofs.size(); ++d) {
+      if (num_coordinates(dofs[d]) == 1) find_breaches(motion, j, d, breaches);
     }
   }
   return breaches;

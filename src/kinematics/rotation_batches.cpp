@@ -6,6 +6,13 @@
 #include <utility>
 
 namespace kinefile {
+namespace {
+
+void copy_columns(const DegreeOfFreedom& dof, std::span<const double> from, std::span<double> to) {
+  std::copy_n(&from[dof.coordinate], num_coordinates(dof), &to[dof.coordinate]);
+}
+
+}  // namespace
 
 std::vector<FrameBatch> batches_of(std::size_t num_frames) {
   constexpr std::size_t kFramesPerBatch = 512;
@@ -18,25 +25,38 @@ std::vector<FrameBatch> batches_of(std::size_t num_frames) {
 
 void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
                        const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out) {
+  if (is_whole_rotation(rotations)) {
+    rotation::resize(out, frames.count);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      const Quat q = quaternion_in_row(rotations, clip.row(frames.first + i), unit);
+      rotation::put_quaternion(q, i, out);
+    }
+    return;
+  }
   std::vector<Vec3> axes;
   rotation::AngleColumns angles;
   for (const DegreeOfFreedom& dof : rotations) {
     axes.push_back(dof.axis);
     std::vector<double>& column = angles.emplace_back(simd::padded(frames.count));
     for (std::size_t i = 0; i < frames.count; ++i) {
-      column[i] = clip.row(frames.first + i)[dof.coordinate];
+      column[i] = value_of(dof, clip.row(frames.first + i)[dof.coordinate]);
     }
   }
   rotation::products_of_rotations(axes, angles, frames.count, unit == AngleUnit::Degrees, out);
 }
 
 RotationFitter::RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit unit,
-                               std::span<const double> start)
-    : rotations_(std::move(rotations)), unit_(unit) {
-  if (const auto axes = euler_axes_of(rotations_)) {
-    const Vec3 angles(start[rotations_[0].coordinate], start[rotations_[1].coordinate],
-                      start[rotations_[2].coordinate]);
-    finder_.emplace(*axes, unit == AngleUnit::Degrees, angles);
+                               std::span<const double> start, std::vector<bool> follows)
+    : rotations_(std::move(rotations)), unit_(unit), follows_(std::move(follows)) {
+  const auto axes = euler_axes_of(rotations_);
+  const bool is_any_fixed = std::find(follows_.begin(), follows_.end(), true) != follows_.end() ||
+                            std::any_of(rotations_.begin(), rotations_.end(),
+                                        [](const DegreeOfFreedom& dof) { return dof.gain == 0; });
+  if (axes && !is_any_fixed) {
+    const auto angle = [&](std::size_t k) {
+      return value_of(rotations_[k], start[rotations_[k].coordinate]);
+    };
+    finder_.emplace(*axes, unit == AngleUnit::Degrees, Vec3(angle(0), angle(1), angle(2)));
   } else {
     near_.assign(start.begin(), start.end());
   }
@@ -48,7 +68,9 @@ double RotationFitter::fit(simd::Quaternions& quaternions, const FrameBatch& fra
   finder_->find(quaternions, frames.count, angles_);
   for (std::size_t i = 0; i < frames.count; ++i) {
     const auto row = rows[frames.first + i];
-    for (std::size_t k = 0; k < 3; ++k) row[rotations_[k].coordinate] = angles_[k][i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      row[rotations_[k].coordinate] = column_of(rotations_[k], angles_[k][i]);
+    }
   }
   return 0;
 }
@@ -60,13 +82,25 @@ double RotationFitter::fit_one_by_one(const simd::Quaternions& quaternions,
     const auto row = rows[frames.first + i];
     const Quat rotation = rotation::quaternion_at(quaternions, i);
     const bool is_finite = rotation.coeffs().allFinite();
-    if (is_finite) {
-      const Mat3 matrix = rotation.toRotationMatrix();
-      largest = std::max(largest, fit_rotation(rotations_, matrix, unit_, near_));
+    for (std::size_t d = 0; d < rotations_.size(); ++d) {  // what others lead is in the row
+      if (!follows_.empty() && follows_[d]) copy_columns(rotations_[d], row, near_);
     }
-    for (const DegreeOfFreedom& dof : rotations_) {
-      row[dof.coordinate] =
-          is_finite ? near_[dof.coordinate] : std::numeric_limits<double>::quiet_NaN();
+    const bool is_exact = is_whole_rotation(rotations_) && (follows_.empty() || !follows_[0]);
+    if (is_finite && is_exact) {
+      set_whole_rotation(rotations_[0], rotation, unit_, near_);
+    } else if (is_finite) {
+      const Mat3 matrix = rotation.toRotationMatrix();
+      largest = std::max(largest, fit_rotation(rotations_, matrix, unit_, near_, follows_));
+    }
+    for (std::size_t d = 0; d < rotations_.size(); ++d) {
+      if (!follows_.empty() && follows_[d]) continue;
+      const DegreeOfFreedom& dof = rotations_[d];
+      if (is_finite) {
+        copy_columns(dof, near_, row);
+      } else {
+        std::fill_n(&row[dof.coordinate], num_coordinates(dof),
+                    std::numeric_limits<double>::quiet_NaN());
+      }
     }
   }
   return largest;

@@ -21,8 +21,8 @@ struct FrameBatch {
 /// The frames of a clip in batches that stay in the processor's cache.
 std::vector<FrameBatch> batches_of(std::size_t num_frames);
 
-/// The products of a joint's rotations in some rows: `rotation_in_row` for many.
-/// \param rotations  outermost first
+/// The products of a joint's rotations in some rows: `quaternion_in_row` for many.
+/// \param rotations  of `rotations_of`
 void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
                        const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out);
 
@@ -30,12 +30,13 @@ void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip
 /// `fit_rotation` for many.
 class RotationFitter {
  public:
-  /// \param rotations  outermost first
-  /// \param start      a row with the angles that the first are to be near
+  /// \param rotations  of `rotations_of`
+  /// \param start      a row with the numbers that the first are to be near
+  /// \param follows    rotations that stay as they are (see `fit_rotation`)
   RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit unit,
-                 std::span<const double> start);
+                 std::span<const double> start, std::vector<bool> follows = {});
 
-  /// Writes the angles of the next rotations; NaN for one that is not finite.
+  /// Writes the numbers of the next rotations; NaN for one that is not finite.
   /// \param quaternions  one a frame; in: the rotations; out: without meaning
   /// \returns            the largest residual angle, in radians
   double fit(simd::Quaternions& quaternions, const FrameBatch& frames, const Rows& rows);
@@ -46,8 +47,9 @@ class RotationFitter {
 
   std::vector<DegreeOfFreedom> rotations_;
   AngleUnit unit_;
+  std::vector<bool> follows_;
   std::optional<rotation::AngleFinder> finder_;  ///< where the axes are three that allow it
-  std::vector<double> near_;                     ///< else: a row with the angles before
+  std::vector<double> near_;                     ///< else: a row with the numbers before
   simd::Angles angles_;
 };
 

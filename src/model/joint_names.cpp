@@ -35,39 +35,63 @@ bool has_form(std::string_view text, std::string_view pattern) {
 
 JointNames::JointNames(const Skeleton& skeleton) {
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    names_.push_back(skeleton.joints[j].name);
-    exact_[names_[j]].push_back(j);
-    lower_[lowered(names_[j])].push_back(j);
+    names_.add(j, skeleton.joints[j].name);
+    const std::string& joint_name = skeleton.joints[j].joint_name;
+    if (!joint_name.empty()) joint_names_.add(j, joint_name);
   }
 }
 
-bool JointNames::has_one_spelling(std::string_view name) const {
-  const auto found = lower_.find(lowered(name));
-  return found == lower_.end() ||
+void JointNames::Index::add(std::size_t joint, const std::string& name) {
+  names.resize(joint + 1);
+  names[joint] = name;
+  exact[name].push_back(joint);
+  lower[lowered(name)].push_back(joint);
+}
+
+bool JointNames::Index::has_one_spelling(std::string_view name) const {
+  const auto found = lower.find(lowered(name));
+  return found == lower.end() ||
          std::all_of(found->second.begin(), found->second.end(), [&](std::size_t joint) {
-           return names_[joint] == names_[found->second.front()];
+           return names[joint] == names[found->second.front()];
          });
 }
 
-const std::vector<std::size_t>& JointNames::find(std::string_view name) const {
+const std::vector<std::size_t>& JointNames::Index::find(std::string_view name) const {
   static const std::vector<std::size_t> kNone;
-  if (const auto exact = exact_.find(std::string(name)); exact != exact_.end()) {
-    return exact->second;
+  if (const auto same = exact.find(std::string(name)); same != exact.end()) return same->second;
+  const auto alike = lower.find(lowered(name));
+  return alike != lower.end() && has_one_spelling(name) ? alike->second : kNone;
+}
+
+std::vector<std::size_t> JointNames::Index::matching(std::string_view pattern) const {
+  if (pattern.find('*') == std::string_view::npos) return find(pattern);
+  const std::string lower_pattern = lowered(pattern);
+  std::vector<std::size_t> joints;
+  for (const auto& [name, own] : exact) {
+    const bool is_match = has_form(name, pattern) ||
+                          (has_form(lowered(name), lower_pattern) && has_one_spelling(name));
+    if (is_match) joints.insert(joints.end(), own.begin(), own.end());
   }
-  const auto lower = lower_.find(lowered(name));
-  return lower != lower_.end() && has_one_spelling(name) ? lower->second : kNone;
+  std::sort(joints.begin(), joints.end());
+  return joints;
+}
+
+bool JointNames::has_one_spelling(std::string_view name) const {
+  return names_.has_one_spelling(name);
+}
+
+const std::vector<std::size_t>& JointNames::find_name(std::string_view name) const {
+  return names_.find(name);
+}
+
+const std::vector<std::size_t>& JointNames::find(std::string_view name) const {
+  const std::vector<std::size_t>& found = names_.find(name);
+  return found.empty() ? joint_names_.find(name) : found;
 }
 
 std::vector<std::size_t> JointNames::matching(std::string_view pattern) const {
-  if (pattern.find('*') == std::string_view::npos) return find(pattern);
-  const std::string lower = lowered(pattern);
-  std::vector<std::size_t> joints;
-  for (std::size_t j = 0; j < names_.size(); ++j) {
-    const bool is_match = has_form(names_[j], pattern) ||
-                          (has_form(lowered(names_[j]), lower) && has_one_spelling(names_[j]));
-    if (is_match) joints.push_back(j);
-  }
-  return joints;
+  std::vector<std::size_t> joints = names_.matching(pattern);
+  return joints.empty() ? joint_names_.matching(pattern) : joints;
 }
 
 std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& second) {
@@ -77,7 +101,7 @@ std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& secon
   std::vector<JointPair> pairs;
   for (std::size_t j = 0; j < first.joints.size(); ++j) {
     const std::string& name = first.joints[j].name;
-    const std::vector<std::size_t>& others = second_names.find(name);
+    const std::vector<std::size_t>& others = second_names.find_name(name);
     if (others.empty()) continue;
     const bool is_spelled_alike = second.joints[others.front()].name == name;
     if (!is_spelled_alike && !first_names.has_one_spelling(name)) continue;

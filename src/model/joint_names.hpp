@@ -12,7 +12,8 @@
 namespace kinefile {
 
 /// Finds the joints of a skeleton by name. A name means the joints that are spelled like it, else
-/// those that are whatever the case, where no other joint differs from them by case alone.
+/// those that are whatever the case, where no other joint differs from them by case alone; where
+/// there is none, the joints of which this is so of `Joint::joint_name`.
 class JointNames {
  public:
   explicit JointNames(const Skeleton& skeleton);
@@ -23,13 +24,27 @@ class JointNames {
   /// The joints of a name in which `*` stands for any characters, in skeleton order.
   std::vector<std::size_t> matching(std::string_view pattern) const;
 
+  /// The same, whatever `joint_name` says.
+  const std::vector<std::size_t>& find_name(std::string_view name) const;
+
   /// Whether no two joints have this name in different cases.
   bool has_one_spelling(std::string_view name) const;
 
  private:
-  std::vector<std::string> names_;                         ///< shape (joints)
-  std::map<std::string, std::vector<std::size_t>> exact_;  ///< by name
-  std::map<std::string, std::vector<std::size_t>> lower_;  ///< by name in lower case
+  /// The joints by one of their names.
+  struct Index {
+    std::vector<std::string> names = {};                         ///< by joint; empty for none
+    std::map<std::string, std::vector<std::size_t>> exact = {};  ///< by name
+    std::map<std::string, std::vector<std::size_t>> lower = {};  ///< by name in lower case
+
+    void add(std::size_t joint, const std::string& name);
+    bool has_one_spelling(std::string_view name) const;
+    const std::vector<std::size_t>& find(std::string_view name) const;
+    std::vector<std::size_t> matching(std::string_view pattern) const;
+  };
+
+  Index names_;
+  Index joint_names_;
 };
 
 /// A joint of one skeleton and that of another by the same name.

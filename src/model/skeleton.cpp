@@ -19,8 +19,10 @@ bool ends_word(char c) {
   return static_cast<unsigned char>(c) <= ' ' || c == '(' || c == ')' || c == ',' || c == '#';
 }
 
-std::size_t num_coordinates(const DegreeOfFreedom& dof) {
-  return dof.kind == DofKind::Free ? 7 : 1;
+bool reads_one_column(const DegreeOfFreedom& dof) { return num_coordinates(dof) == 1; }
+
+bool is_whole_rotation(DofKind kind) {
+  return kind == DofKind::Ball || kind == DofKind::RotationVector;
 }
 
 /// What a degree of freedom breaks, or an empty text.
@@ -29,10 +31,14 @@ std::string fault_of(const DegreeOfFreedom& dof, std::size_t num_columns) {
       dof.coordinate + num_coordinates(dof) < dof.coordinate) {
     return fmt::format("reads coordinate {} of {}", dof.coordinate, num_columns);
   }
-  if (dof.kind != DofKind::Free && !(std::abs(dof.axis.norm() - 1) <= kUnitTolerance)) {
+  if (reads_one_column(dof) && !(std::abs(dof.axis.norm() - 1) <= kUnitTolerance)) {
     return "has an axis that is not of unit length";
   }
   if (!std::isfinite(dof.rest)) return "has a rest value that is not finite";
+  if (!std::isfinite(dof.gain) || !std::isfinite(dof.shift)) {
+    return "has a gain or a shift that is not finite";
+  }
+  if (!reads_one_column(dof) && !is_plain(dof)) return "has a gain or a shift of several columns";
   return {};
 }
 
@@ -43,11 +49,17 @@ std::string fault_of(const Joint& joint, std::size_t index, std::size_t num_colu
     return "has a rest rotation that is not of unit length";
   }
   bool has_rotation = false;
+  bool has_whole = false;
   bool has_free = false;
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (std::string fault = fault_of(dof, num_columns); !fault.empty()) return fault;
     if (dof.kind == DofKind::Translation && has_rotation) return "translates after it rotates";
-    has_rotation |= dof.kind == DofKind::Rotation;
+    const bool is_whole = is_whole_rotation(dof.kind);
+    if (is_whole && has_rotation) return "turns in any way and in another way, too";
+    const bool turns = is_whole || dof.kind == DofKind::Rotation;
+    if (turns && has_whole) return "turns in any way and in another way, too";
+    has_rotation |= turns;
+    has_whole |= is_whole;
     has_free |= dof.kind == DofKind::Free;
   }
   if (has_free && joint.dofs.size() > 1) return "is free and moves in another way, too";
@@ -57,7 +69,58 @@ std::string fault_of(const Joint& joint, std::size_t index, std::size_t num_colu
   return {};
 }
 
+/// What the columns of a degree of freedom hold in the rest pose; shape (its coordinates).
+std::vector<double> rest_numbers(const Joint& joint, const DegreeOfFreedom& dof) {
+  switch (dof.kind) {
+    case DofKind::Free:
+      return {joint.free_rest.begin(), joint.free_rest.end()};
+    case DofKind::Ball:
+      return {1, 0, 0, 0};
+    case DofKind::RotationVector:
+      return {0, 0, 0};
+    default:
+      return {dof.rest};
+  }
+}
+
+/// The first column in which two joints rest at different numbers, in words, or an empty text.
+std::string disagreement_at_rest(const Skeleton& skeleton) {
+  const std::vector<double> rest = rest_coordinates(skeleton);
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const std::vector<double> own = rest_numbers(joint, dof);
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        const std::size_t column = dof.coordinate + k;
+        if (own[k] == rest[column] || !std::isfinite(own[k])) continue;
+        return fmt::format("joint '{}' rests at {} in column {}, another one of its readers at {}",
+                           joint.name, own[k], column, rest[column]);
+      }
+    }
+  }
+  return {};
+}
+
+/// Whether a joint reads a column.
+bool reads(const Joint& joint, std::size_t column) {
+  return std::any_of(joint.dofs.begin(), joint.dofs.end(), [column](const DegreeOfFreedom& dof) {
+    return column >= dof.coordinate && column < dof.coordinate + num_coordinates(dof);
+  });
+}
+
 }  // namespace
+
+std::size_t num_coordinates(const DegreeOfFreedom& dof) {
+  switch (dof.kind) {
+    case DofKind::Free:
+      return kRootColumns;
+    case DofKind::Ball:
+      return 4;
+    case DofKind::RotationVector:
+      return 3;
+    default:
+      return 1;
+  }
+}
 
 Result<void> validate(const Skeleton& skeleton) {
   const std::size_t num_columns = skeleton.coordinates.size();
@@ -74,6 +137,9 @@ Result<void> validate(const Skeleton& skeleton) {
                              fmt::format("coordinate {} belongs to no joint", c)));
     }
   }
+  if (const std::string fault = disagreement_at_rest(skeleton); !fault.empty()) {
+    return fail(make_error(ErrorKind::InvalidInput, "MDL001", fault));
+  }
   return {};
 }
 
@@ -81,13 +147,14 @@ std::vector<double> rest_coordinates(const Skeleton& skeleton) {
   std::vector<double> values(skeleton.coordinates.size(), 0.0);
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::Free) {
-        std::copy(joint.free_rest.begin(), joint.free_rest.end(),
-                  values.begin() + static_cast<std::ptrdiff_t>(dof.coordinate));
-      } else {
-        values[dof.coordinate] = dof.rest;
-      }
+      const std::vector<double> rest = rest_numbers(joint, dof);
+      std::copy(rest.begin(), rest.end(),
+                values.begin() + static_cast<std::ptrdiff_t>(dof.coordinate));
     }
+  }
+  for (const FollowingColumn& following : following_columns(skeleton)) {
+    const DegreeOfFreedom& dof = skeleton.joints[following.joint].dofs[0];
+    values[following.column] = value_of(dof, dof.rest);
   }
   return values;
 }
@@ -95,7 +162,8 @@ std::vector<double> rest_coordinates(const Skeleton& skeleton) {
 Vec3 rest_offset(const Joint& joint) {
   Vec3 offset = joint.offset;
   for (const DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind == DofKind::Translation) offset += joint.rest_rotation * (dof.rest * dof.axis);
+    if (dof.kind != DofKind::Translation) continue;
+    offset += joint.rest_rotation * (value_of(dof, dof.rest) * dof.axis);
   }
   return offset;
 }
@@ -116,7 +184,11 @@ bool moves_freely(const Joint& joint) {
 
 std::size_t num_dofs(const Joint& joint) {
   std::size_t count = 0;
-  for (const DegreeOfFreedom& dof : joint.dofs) count += dof.kind == DofKind::Free ? 6 : 1;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    const std::size_t num_columns = num_coordinates(dof);
+    // A quaternion has a number more than it has ways to change.
+    count += num_columns - (dof.kind == DofKind::Free || dof.kind == DofKind::Ball ? 1 : 0);
+  }
   return count;
 }
 
@@ -143,6 +215,49 @@ std::vector<std::size_t> num_readers_of_columns(const Skeleton& skeleton) {
     }
   }
   return readers;
+}
+
+std::vector<std::size_t> leaders_of_columns(const Skeleton& skeleton) {
+  std::vector<std::size_t> leaders(skeleton.coordinates.size(), kNoParent);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    for (const DegreeOfFreedom& dof : skeleton.joints[j].dofs) {
+      for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
+        const std::size_t column = dof.coordinate + k;
+        const bool is_own = skeleton.coordinates[column].joint == j;
+        if (is_own || leaders[column] == kNoParent) leaders[column] = j;
+      }
+    }
+  }
+  return leaders;
+}
+
+std::vector<FollowingColumn> following_columns(const Skeleton& skeleton) {
+  const std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
+  std::vector<FollowingColumn> following;
+  for (std::size_t c = 0; c < readers.size(); ++c) {
+    if (readers[c] > 0) continue;
+    const std::size_t j = skeleton.coordinates[c].joint;
+    const Joint& joint = skeleton.joints[j];
+    const bool moves_in_one_way = joint.dofs.size() == 1 && reads_one_column(joint.dofs[0]);
+    if (!moves_in_one_way) continue;
+    const std::size_t leader = skeleton.coordinates[joint.dofs[0].coordinate].joint;
+    if (leader != j && reads(skeleton.joints[leader], joint.dofs[0].coordinate)) {
+      following.push_back({c, j});
+    }
+  }
+  return following;
+}
+
+std::vector<std::optional<std::size_t>> value_columns(const Skeleton& skeleton) {
+  std::vector<std::optional<std::size_t>> columns;
+  for (const Joint& joint : skeleton.joints) {
+    const bool moves_in_one_way = joint.dofs.size() == 1 && reads_one_column(joint.dofs[0]);
+    columns.push_back(moves_in_one_way ? std::optional(joint.dofs[0].coordinate) : std::nullopt);
+  }
+  for (const FollowingColumn& following : following_columns(skeleton)) {
+    columns[following.joint] = following.column;
+  }
+  return columns;
 }
 
 bool is_bone_name(std::string_view name) {
@@ -200,7 +315,9 @@ std::vector<std::string> column_names(const Skeleton& skeleton) {
 }
 
 std::string channel_name(DofKind kind, std::size_t axis) {
-  std::string name(1, static_cast<char>('X' + axis));
+  constexpr std::array<const char*, 7> kFree = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+  constexpr std::array<const char*, 3> kVector = {"rotvec_x", "rotvec_y", "rotvec_z"};
+  const std::string name(1, static_cast<char>('X' + axis));
   switch (kind) {
     case DofKind::Rotation:
       return name + "rotation";
@@ -210,7 +327,11 @@ std::string channel_name(DofKind kind, std::size_t axis) {
     case DofKind::TailScale:
       return name + "scale";
     case DofKind::Free:
-      break;
+      return kFree[axis];
+    case DofKind::Ball:
+      return kFree[3 + axis];
+    case DofKind::RotationVector:
+      return kVector[axis];
   }
   return name;
 }

@@ -17,11 +17,14 @@ using Group = std::vector<std::size_t>;
 std::vector<Group> groups_of(const InterpolationPlan& plan) {
   std::vector<Group> groups;
   for (const TurningJoint& joint : plan.turning_joints) {
-    groups.emplace_back(joint.columns.begin(), joint.columns.end());
+    Group& group = groups.emplace_back();
+    for (const DegreeOfFreedom& dof : joint.rotations) group.push_back(dof.coordinate);
   }
-  for (const FreeRotation& free : plan.free_rotations) {
-    const std::size_t c = free.first_column;
-    groups.push_back({c, c + 1, c + 2, c + 3});
+  for (const WholeRotation& whole : plan.whole_rotations) {
+    Group& group = groups.emplace_back();
+    for (std::size_t k = 0; k < num_coordinates(whole.dof); ++k) {
+      group.push_back(whole.dof.coordinate + k);
+    }
   }
   for (const std::size_t column : plan.number_columns) groups.push_back({column});
   return groups;

@@ -25,7 +25,7 @@ void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_
   // One angle is its own best curve. Two are, too: between them the shortest way leaves what the
   // joint can do, and the nearest angles on it differ from the straight ones by little (see the
   // test that compares them).
-  if (rotations.size() < 3) return;
+  if (rotations.size() < 3 || is_whole_rotation(rotations)) return;
   const auto axes = euler_axes_of(rotations);
   if (!axes) {
     note_single_angles(joint, "turns about axes that not every rotation can be brought back to",
@@ -39,30 +39,35 @@ void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_
     note_single_angles(joint, "shares a column", diagnostics);
     return;
   }
-  plan.turning_joints.push_back(
-      {{rotations[0].coordinate, rotations[1].coordinate, rotations[2].coordinate},
-       rotation::euler_form(*axes, unit == AngleUnit::Degrees)});
+  plan.turning_joints.push_back({{rotations[0], rotations[1], rotations[2]},
+                                 rotation::euler_form(*axes, unit == AngleUnit::Degrees)});
 }
 
-void plan_free_rotation(const Joint& joint, const DegreeOfFreedom& dof,
-                        const std::vector<std::size_t>& readers, InterpolationPlan& plan,
-                        Diagnostics& diagnostics) {
-  const auto first = readers.begin() + static_cast<std::ptrdiff_t>(dof.coordinate + 3);
-  if (std::any_of(first, first + 4, [](std::size_t count) { return count > 1; })) {
+void plan_whole_rotation(const Joint& joint, AngleUnit unit,
+                         const std::vector<std::size_t>& readers, InterpolationPlan& plan,
+                         Diagnostics& diagnostics) {
+  const std::vector<DegreeOfFreedom> rotations = rotations_of(joint);
+  if (!is_whole_rotation(rotations)) return;
+  const DegreeOfFreedom& dof = rotations[0];
+  const auto first = readers.begin() + static_cast<std::ptrdiff_t>(dof.coordinate);
+  const auto end = first + static_cast<std::ptrdiff_t>(num_coordinates(dof));
+  if (std::any_of(first, end, [](std::size_t count) { return count > 1; })) {
     note_single_angles(joint, "shares a column", diagnostics);
     return;
   }
-  plan.free_rotations.push_back({dof.coordinate + 3});
+  plan.whole_rotations.push_back({dof, unit});
 }
 
 /// All columns that are part of no rotation.
 std::vector<std::size_t> other_columns(const InterpolationPlan& plan, std::size_t num_columns) {
   std::vector<bool> is_rotation(num_columns);
   for (const TurningJoint& joint : plan.turning_joints) {
-    for (const std::size_t column : joint.columns) is_rotation[column] = true;
+    for (const DegreeOfFreedom& dof : joint.rotations) is_rotation[dof.coordinate] = true;
   }
-  for (const FreeRotation& rotation : plan.free_rotations) {
-    for (std::size_t k = 0; k < 4; ++k) is_rotation[rotation.first_column + k] = true;
+  for (const WholeRotation& whole : plan.whole_rotations) {
+    for (std::size_t k = 0; k < num_coordinates(whole.dof); ++k) {
+      is_rotation[whole.dof.coordinate + k] = true;
+    }
   }
   std::vector<std::size_t> others;
   for (std::size_t c = 0; c < num_columns; ++c) {
@@ -78,9 +83,7 @@ InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpola
   const std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
   InterpolationPlan plan;
   for (const Joint& joint : skeleton.joints) {
-    for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.kind == DofKind::Free) plan_free_rotation(joint, dof, readers, plan, diagnostics);
-    }
+    plan_whole_rotation(joint, skeleton.angle_unit, readers, plan, diagnostics);
     if (rotation == RotationInterpolation::Euler) continue;
     plan_turns(joint, skeleton.angle_unit, readers, plan, diagnostics);
   }

@@ -12,19 +12,21 @@ namespace kinefile::retime {
 
 /// A joint whose three angles are interpolated as the rotation that they make.
 struct TurningJoint {
-  std::array<std::size_t, 3> columns;  ///< of the rotations, outermost first
+  std::array<DegreeOfFreedom, 3> rotations;  ///< outermost first
   simd::EulerForm form;
 };
 
-/// A free joint's quaternion: the column of qw; qx, qy, qz follow.
-struct FreeRotation {
-  std::size_t first_column;
+/// A rotation that several columns tell as a whole: a ball or a rotation vector, or the quaternion
+/// of a free joint as a ball.
+struct WholeRotation {
+  DegreeOfFreedom dof;
+  AngleUnit unit;
 };
 
 /// Which columns of a clip are interpolated how. Every column is in one of the three.
 struct InterpolationPlan {
   std::vector<TurningJoint> turning_joints;
-  std::vector<FreeRotation> free_rotations;
+  std::vector<WholeRotation> whole_rotations;
   std::vector<std::size_t> number_columns;
 };
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <span>
 
+#include "kinefile/joint_rotation.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "rotation/rotations.hpp"
 
 namespace kinefile::retime {
@@ -116,42 +118,63 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
   resize(work.old_angles, batch.old_frames.size());
   for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
     const auto row = old_clip.row(batch.old_frames[i]);
-    for (std::size_t k = 0; k < 3; ++k) work.old_angles[k][i] = row[joint.columns[k]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      work.old_angles[k][i] = value_in_row(joint.rotations[k], row);
+    }
   }
   simd::quaternions_of_angles(joint.form, work.old_angles, work.old_rotations);
   interpolate(batch, rotation, work);
   resize(work.new_angles, batch.steps.size());
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
     const auto row = new_clip.row(batch.steps[i].new_frame);
-    for (std::size_t k = 0; k < 3; ++k) work.new_angles[k][i] = row[joint.columns[k]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      work.new_angles[k][i] = value_in_row(joint.rotations[k], row);
+    }
   }
   simd::angles_of_quaternions(joint.form, work.new_rotations, work.new_angles);
   const Rows rows = new_clip.mutate();
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
     const auto row = rows[batch.steps[i].new_frame];
-    for (std::size_t k = 0; k < 3; ++k) row[joint.columns[k]] = work.new_angles[k][i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const DegreeOfFreedom& dof = joint.rotations[k];
+      row[dof.coordinate] = column_of(dof, work.new_angles[k][i]);
+    }
   }
 }
 
-void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& free,
-                 RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
+/// The rotation in a row, of unit length; NaN where a quaternion has the length 0, which is none.
+Quat rotation_of_row(const WholeRotation& whole, std::span<const double> row) {
+  if (whole.dof.kind == DofKind::RotationVector) {
+    return whole_rotation_in_row(whole.dof, row, whole.unit);
+  }
+  const double* q = &row[whole.dof.coordinate];
+  const Quat given(q[0], q[1], q[2], q[3]);
+  return Quat(Quat::Coefficients(given.coeffs() / given.norm()));
+}
+
+void turn_as_whole(const Clip& old_clip, const Batch& batch, const WholeRotation& whole,
+                   RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
   resize(work.old_rotations, batch.old_frames.size());
   for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
-    const double* q = &old_clip.row(batch.old_frames[i])[free.first_column];
-    const Quat given(q[0], q[1], q[2], q[3]);
-    // Divided even where the length is 0, which is no rotation and gives NaN.
-    put_quaternion(Quat(Quat::Coefficients(given.coeffs() / given.norm())), i, work.old_rotations);
+    put_quaternion(rotation_of_row(whole, old_clip.row(batch.old_frames[i])), i,
+                   work.old_rotations);
   }
   interpolate(batch, rotation, work);
   const Rows rows = new_clip.mutate();
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    double* q = &rows[batch.steps[i].new_frame][free.first_column];
-    const Quat result = on_side_of(quaternion_at(work.new_rotations, i).normalized(),
-                                   quaternion_at(work.old_rotations, batch.places[i].from));
-    q[0] = result.w();
-    q[1] = result.x();
-    q[2] = result.y();
-    q[3] = result.z();
+    const std::span<double> row = rows[batch.steps[i].new_frame];
+    const Quat result = quaternion_at(work.new_rotations, i).normalized();
+    if (whole.dof.kind == DofKind::RotationVector) {
+      // Near the vector between the old ones, which is in the row.
+      set_whole_rotation(whole.dof, result, whole.unit, row);
+      continue;
+    }
+    const Quat sided = on_side_of(result, quaternion_at(work.old_rotations, batch.places[i].from));
+    double* q = &row[whole.dof.coordinate];
+    q[0] = sided.w();
+    q[1] = sided.x();
+    q[2] = sided.y();
+    q[3] = sided.z();
   }
 }
 
@@ -160,7 +183,7 @@ void turn_freely(const Clip& old_clip, const Batch& batch, const FreeRotation& f
 void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
                            const InterpolationPlan& plan, RotationInterpolation rotation,
                            Clip& new_clip) {
-  if (plan.turning_joints.empty() && plan.free_rotations.empty()) return;
+  if (plan.turning_joints.empty() && plan.whole_rotations.empty()) return;
   Workspace work;
   auto next = steps.begin();
   while (next != steps.end()) {
@@ -174,8 +197,8 @@ void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
     for (const TurningJoint& joint : plan.turning_joints) {
       turn_joint(old_clip, batch, joint, rotation, work, new_clip);
     }
-    for (const FreeRotation& free : plan.free_rotations) {
-      turn_freely(old_clip, batch, free, rotation, work, new_clip);
+    for (const WholeRotation& whole : plan.whole_rotations) {
+      turn_as_whole(old_clip, batch, whole, rotation, work, new_clip);
     }
   }
 }

@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "base/words.hpp"
+#include "kinefile/joint_rotation.hpp"
 #include "kinefile/robot.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "model/joint_names.hpp"
 #include "robot/robot.hpp"
 
@@ -55,17 +57,12 @@ bool turns(const Joint& joint) {
   return !joint.dofs.empty() && joint.dofs[0].kind == DofKind::Rotation;
 }
 
-/// How a link is turned about its axis at rest.
-Quat rest_turn(const Joint& joint) {
-  if (!turns(joint)) return Quat::Identity();
-  return Quat(Eigen::AngleAxisd(joint.dofs[0].rest, joint.dofs[0].axis));
-}
-
 /// Whether a third axis stands at right angles to two others, up to rounding.
 bool is_across(const Vec3& a, const Vec3& b) { return std::abs(a.dot(b)) < 1e-6; }
 
+/// \param leaders  of the robot's columns
 Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot,
-                     std::vector<bool>& is_settled) {
+                     const std::vector<std::size_t>& leaders, std::vector<bool>& is_settled) {
   Follower follower{link, source, 0, {}, {}, Quat::Identity(), {}, 0, 0};
   std::size_t at = link;
   for (; at != 0 && !is_settled[at]; at = robot.joints[at].parent) follower.path.push_back(at);
@@ -75,7 +72,8 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
     is_settled[j] = true;
     const Quat& rest = robot.joints[j].rest_rotation;
     for (Vec3& axis : follower.axes) axis = rest.conjugate() * axis;
-    if (!turns(robot.joints[j])) continue;
+    // A joint that follows another turns as that one does.
+    if (!turns(robot.joints[j]) || leaders[robot.joints[j].dofs[0].coordinate] != j) continue;
     follower.turning.push_back(j);
     follower.axes.push_back(robot.joints[j].dofs[0].axis);
   }
@@ -94,7 +92,8 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
     const auto& turning = follower.turning;
     const bool is_free = std::find(turning.begin(), turning.end(), j) != turning.end();
     follower.path_rest = follower.path_rest * robot.joints[j].rest_rotation;
-    if (!is_free) follower.path_rest = follower.path_rest * rest_turn(robot.joints[j]);
+    if (is_free) continue;
+    follower.path_rest = follower.path_rest * rotation_at_rest(robot.joints[j], robot.angle_unit);
   }
   return follower;
 }
@@ -114,8 +113,21 @@ std::vector<double> angles_of(const Follower& follower, const Quat& turn,
   return found;
 }
 
+/// Finds how the links of a path stand in the world by their angles in a row.
+void turn_path(const Follower& follower, const Skeleton& robot, std::span<const double> row,
+               std::vector<Quat>& world) {
+  for (const std::size_t j : follower.path) {
+    const Joint& joint = robot.joints[j];
+    world[j] = world[joint.parent] * joint.rest_rotation;
+    if (!turns(joint)) continue;
+    const double angle = value_in_row(joint.dofs[0], row);
+    world[j] = world[j] * Quat(Eigen::AngleAxisd(angle, joint.dofs[0].axis));
+  }
+}
+
 void tell(const std::vector<Follower>& followers, const Motion& motion, const Skeleton& robot,
           Diagnostics& diagnostics) {
+  const std::vector<std::size_t> leaders = leaders_of_columns(robot);
   std::vector<std::string> still;
   std::vector<bool> is_used(robot.joints.size(), false);
   for (const Follower& follower : followers) {
@@ -130,7 +142,9 @@ void tell(const std::vector<Follower>& followers, const Motion& motion, const Sk
                     degrees, follower.largest_frame));
   }
   for (std::size_t j = 1; j < robot.joints.size(); ++j) {
-    if (!robot.joints[j].dofs.empty() && !is_used[j]) still.push_back(robot.joints[j].name);
+    const bool leads =
+        !robot.joints[j].dofs.empty() && leaders[robot.joints[j].dofs[0].coordinate] == j;
+    if (leads && !is_used[j]) still.push_back(robot.joints[j].name);
   }
   if (!still.empty()) {
     diagnostics.add(Severity::Warning, "BRG015",
@@ -148,11 +162,12 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
                            "joints move in one way each"));
   }
   const std::vector<std::size_t> sources = sources_of(motion.skeleton, robot, names);
+  const std::vector<std::size_t> leaders = leaders_of_columns(robot);
   std::vector<Follower> followers;
   std::vector<bool> is_settled(robot.joints.size(), false);
   for (std::size_t j = 1; j < robot.joints.size(); ++j) {
     if (sources[j] != kNoParent) {
-      followers.push_back(follower_of(j, sources[j], robot, is_settled));
+      followers.push_back(follower_of(j, sources[j], robot, leaders, is_settled));
     }
   }
   if (followers.empty()) {
@@ -198,20 +213,19 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
         const Quat turn = (world[follower.base] * follower.path_rest).conjugate() * aim;
         std::vector<double> near;
         for (const std::size_t j : follower.turning) {
-          near.push_back(row[robot.joints[j].dofs[0].coordinate]);
+          near.push_back(value_in_row(robot.joints[j].dofs[0], row));
         }
         const std::vector<double> angles = angles_of(follower, turn, near);
         for (std::size_t k = 0; k < angles.size(); ++k) {
-          row[robot.joints[follower.turning[k]].dofs[0].coordinate] = angles[k];
+          const DegreeOfFreedom& dof = robot.joints[follower.turning[k]].dofs[0];
+          row[dof.coordinate] = column_of(dof, angles[k]);
         }
-        for (const std::size_t j : follower.path) {
-          const Joint& joint = robot.joints[j];
-          world[j] = world[joint.parent] * joint.rest_rotation;
-          if (!turns(joint)) continue;
-          const double angle = row[joint.dofs[0].coordinate];
-          world[j] = world[j] * Quat(Eigen::AngleAxisd(angle, joint.dofs[0].axis));
-        }
-        const double residual = angle_between(world[follower.link], aim);
+        turn_path(follower, robot, row, world);
+      }
+      for (Follower& follower : followers) {
+        turn_path(follower, robot, row, world);  // those that follow others know them by now
+        const double residual =
+            angle_between(world[follower.link], wanted(follower.link, follower.source));
         if (residual > follower.largest_residual) {
           follower.largest_residual = residual;
           follower.largest_frame = first + r;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinefile/robot.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "robot/robot.hpp"
 
 namespace kinefile::robot {
@@ -148,7 +149,15 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
   }
   const bool has_all_links =
       recorded.links != nullptr && recorded.links->num_parts >= skeleton.joints.size();
-  if (recorded.joints == nullptr && has_all_links) find_joints(*recorded.links, posed);
+  const bool are_found = recorded.joints == nullptr && has_all_links;
+  if (are_found) find_joints(*recorded.links, posed);
+  if (!are_found) {  // what was not recorded
+    const std::size_t num_joints = recorded.joints == nullptr ? 0 : recorded.joints->num_parts;
+    fill_following_columns(posed, num_root + num_joints);
+  }
+  if (auto settled = settle_following_columns(posed, lenient, diagnostics); !settled) {
+    return fail(std::move(settled.error()));
+  }
   return posed;
 }
 

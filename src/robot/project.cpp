@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "kinefile/robot.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "robot/robot.hpp"
 
 namespace kinefile::robot {
@@ -96,7 +97,9 @@ Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion
   }
   const std::size_t num_columns = motion.clip.num_coordinates;
   if (wants_joints && num_columns > kRootColumns) {
-    body.components.push_back(columns_of(motion, kRootColumns, num_columns,
+    Motion following = motion;
+    fill_following_columns(following, 0);
+    body.components.push_back(columns_of(following, kRootColumns, num_columns,
                                          component_like(ComponentKind::Values, kJointDisplacement,
                                                         motion, num_columns - kRootColumns)));
   }

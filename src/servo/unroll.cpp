@@ -17,15 +17,19 @@ namespace kinefile::servo {
 std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::string& name) {
   const double radians = radians_per(skeleton.angle_unit);
   const std::vector<std::string> columns = column_names(skeleton);
-  for (const Joint& joint : skeleton.joints) {
-    if (joint.dofs.size() == 1 && joint.dofs[0].kind == DofKind::Rotation && joint.name == name) {
-      return AngleColumn{joint.dofs[0].coordinate, radians};
+  const auto own_columns = value_columns(skeleton);
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    if (joint.dofs.size() != 1 || joint.dofs[0].kind != DofKind::Rotation || joint.name != name) {
+      continue;
     }
+    const bool follows = *own_columns[j] != joint.dofs[0].coordinate;
+    return AngleColumn{*own_columns[j], radians, follows ? DegreeOfFreedom{} : joint.dofs[0]};
   }
   for (const Joint& joint : skeleton.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind == DofKind::Rotation && columns[dof.coordinate] == name) {
-        return AngleColumn{dof.coordinate, radians};
+        return AngleColumn{dof.coordinate, radians, dof};
       }
     }
   }
@@ -37,8 +41,7 @@ namespace {
 /// A joint of a map and where its angle stands in a row.
 struct MappedAngle {
   std::size_t entry = 0;
-  std::size_t column = 0;
-  double radians = 1;  ///< in a unit of the row
+  AngleColumn angle = {};
 };
 
 Error no_joints(const std::vector<std::string>& missing, std::string_view where) {
@@ -59,7 +62,7 @@ Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& 
   for (std::size_t e = 0; e < map.entries.size(); ++e) {
     const std::optional<AngleColumn> found = find(e);
     if (found) {
-      angles.push_back({e, found->column, found->radians});
+      angles.push_back({e, *found});
     } else {
       missing.push_back(map.entries[e].joint);
     }
@@ -91,10 +94,11 @@ Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* 
   const auto find = [&](std::size_t e) {
     if (robot == nullptr && !names.empty()) {
       const auto name = std::find(names.begin(), names.end(), map.entries[e].joint);
-      return name == names.end() ? Found()
-                                 : Found({static_cast<std::size_t>(name - names.begin()), 1.0});
+      return name == names.end()
+                 ? Found()
+                 : Found(AngleColumn{static_cast<std::size_t>(name - names.begin())});
     }
-    if (robot == nullptr) return e < num_parts ? Found({e, 1.0}) : Found();
+    if (robot == nullptr) return e < num_parts ? Found(AngleColumn{e}) : Found();
     Found found = find_angle(*robot, map.entries[e].joint);
     if (!found || found->column < kRootColumns) return Found();
     found->column -= kRootColumns;
@@ -133,10 +137,28 @@ Array<double> rows_of(const flow::Run& run, const ServoMap& map, const std::vect
     const std::span<double> row = values.grow(rest.size());
     std::copy(rest.begin(), rest.end(), row.begin());
     for (const MappedAngle& angle : angles) {
-      row[angle.column] = angle_at(run, tick, map, map.entries[angle.entry]) / angle.radians;
+      const double found = angle_at(run, tick, map, map.entries[angle.entry]);
+      row[angle.angle.column] = angle.angle.number_of(found);
     }
   }
   return values;
+}
+
+/// Lets joints follow others in rows of a robot's displacements, but those that have a servo.
+void fill_following(const Skeleton& robot, const std::vector<MappedAngle>& angles,
+                    Component& component) {
+  const Rows rows = component.mutate();
+  for (const FollowingColumn& following : following_columns(robot)) {
+    const DegreeOfFreedom& dof = robot.joints[following.joint].dofs[0];
+    const bool has_servo = std::any_of(angles.begin(), angles.end(), [&](const MappedAngle& own) {
+      return own.angle.column + kRootColumns == following.column;
+    });
+    if (has_servo || dof.coordinate < kRootColumns) continue;
+    for (std::size_t f = 0; f < component.num_frames; ++f) {
+      rows[f][following.column - kRootColumns] =
+          value_of(dof, rows[f][dof.coordinate - kRootColumns]);
+    }
+  }
 }
 
 /// Tells of sliders that the flow does not have.
@@ -169,7 +191,7 @@ Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const Servo
     trajectory.joints.push_back(map.entries[angle.entry].joint);
   }
   const auto value = [&](std::size_t frame, const MappedAngle& angle) {
-    return rows.values[frame * rows.row_size + angle.column] * angle.radians;
+    return angle.angle.angle_of(rows.values[frame * rows.row_size + angle.angle.column]);
   };
   const std::vector<double>& times = own_times(rows.timeline);
   if (times.empty()) {
@@ -217,6 +239,7 @@ Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skele
   component.num_frames = run.num_ticks + 1;
   component.timeline = timeline_of(map);
   component.values = rows_of(run, map, rest, *angles);
+  if (robot != nullptr) fill_following(*robot, *angles, component);
   if (robot == nullptr) {
     for (const ServoMapEntry& entry : map.entries) component.part_names.push_back(entry.joint);
   }

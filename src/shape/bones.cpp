@@ -100,6 +100,8 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
     }
     if (dof.kind == DofKind::TailScale) continue;  // it was found not to change anything
     loses_rest |= dof.rest != 0 && dof.kind != DofKind::Translation;
+    dof.lower -= column.minus;
+    dof.upper -= column.minus;
     dof.rest = 0;
     dof.coordinate = builder.columns.size();
     builder.columns.push_back(column);
@@ -249,8 +251,7 @@ bool is_of_bones(const Skeleton& skeleton) {
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const Joint& joint = skeleton.joints[j];
     for (const DegreeOfFreedom& dof : joint.dofs) {
-      if (dof.rest != 0 || dof.kind == DofKind::TailScale || dof.kind == DofKind::Free)
-        return false;
+      if (dof.rest != 0 || dof.kind == DofKind::TailScale || num_coordinates(dof) > 1) return false;
     }
     if (j == 0) {
       if (joint.parent != kNoParent || joint.name != "root" || !joint.tips.empty()) return false;
@@ -311,8 +312,27 @@ void tell_changes(Builder& builder) {
 
 }  // namespace
 
+namespace {
+
+/// Whether some values are not their columns' numbers, or some rotations no angles.
+bool has_other_values(const Skeleton& skeleton) {
+  const bool has_any =
+      std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
+        return std::any_of(joint.dofs.begin(), joint.dofs.end(), [](const auto& dof) {
+          return !is_plain(dof) || num_coordinates(dof) > 1;
+        });
+      });
+  return has_any || !following_columns(skeleton).empty();
+}
+
+}  // namespace
+
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics) {
   if (auto obstacle = obstacle_of(motion)) return fail(std::move(*obstacle));
+  if (has_other_values(motion.skeleton)) {
+    constexpr RotationOrder kUsualOrder = {2, 1, 0};
+    return with_bones(with_angles(with_plain_values(motion), kUsualOrder), lenient, diagnostics);
+  }
   if (is_turned_below_root(motion.skeleton)) {
     const auto aligned = with_world_aligned_rest(motion);
     if (!aligned) return fail(aligned.error());

@@ -42,8 +42,8 @@ struct JointChange {
   Vec3 offset = Vec3::Zero();
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
-  std::vector<TranslationColumn> old_translations;  ///< where there are new positions; the axes
-                                                    ///< are the joint's own
+  std::vector<Translation> old_translations;  ///< where there are new positions; the axes
+                                              ///< are the joint's own
   EulerAxes axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };
 
@@ -154,7 +154,7 @@ void replace_positions(const Context& context, const Joint& joint, JointChange& 
   Vec3 rest = Vec3::Zero();
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind != DofKind::Translation) continue;
-    change.old_translations.push_back({dof.axis, dof.coordinate});
+    change.old_translations.push_back({dof.axis, dof});
     rest += dof.rest * dof.axis;
   }
   if (!context.adds_positions) {
@@ -368,8 +368,12 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
   return order;
 }
 
-Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
-                             Diagnostics& diagnostics) {
+namespace {
+
+/// Gives a motion other channels whose values are its columns' numbers and whose rotations are
+/// angles.
+Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOptions& options,
+                                       Diagnostics& diagnostics) {
   const Context context{
       motion,
       options,
@@ -411,6 +415,15 @@ Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options
     fill_columns(motion, j, changes[j], first_columns[j], rows);
   }
   return result;
+}
+
+}  // namespace
+
+Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
+                             Diagnostics& diagnostics) {
+  const RotationOrder order = options.order.value_or(options.usual_order);
+  return with_channels_of_angles(with_angles(with_plain_values(motion), order), options,
+                                 diagnostics);
 }
 
 }  // namespace kinefile::shape

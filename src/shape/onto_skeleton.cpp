@@ -45,17 +45,15 @@ std::vector<RestFrame> rest_frames_of(const Skeleton& skeleton) {
     RestFrame frame;
     if (joint.parent != kNoParent) frame.parent = frames[joint.parent].turned();
     frame.unturned = frame.parent * joint.rest_rotation;
-    for (const DegreeOfFreedom& dof : rotations_of(joint)) {
-      const double angle = dof.rest * radians_per(skeleton.angle_unit);
-      if (angle != 0) frame.rest_turn = frame.rest_turn * Quat(Eigen::AngleAxisd(angle, dof.axis));
-    }
+    frame.rest_turn = rotation_at_rest(joint, skeleton.angle_unit);
     frames.push_back(frame);
   }
   return frames;
 }
 
-/// Degrees of freedom of one kind, outermost first.
+/// Degrees of freedom of one kind, outermost first; with rotations, a ball and a rotation vector.
 std::vector<DegreeOfFreedom> dofs_of(const Joint& joint, DofKind kind) {
+  if (kind == DofKind::Rotation) return rotations_of(joint);
   std::vector<DegreeOfFreedom> dofs;
   std::copy_if(joint.dofs.begin(), joint.dofs.end(), std::back_inserter(dofs),
                [kind](const DegreeOfFreedom& dof) { return dof.kind == kind; });
@@ -69,53 +67,77 @@ struct Transfer {
   Mat3 to_from = Mat3::Identity();  ///< from the frame that the ones' axes are in to the others'
   double factor = 1;                ///< between the units
   bool are_copied = false;          ///< both do the same by the same values
+  std::vector<bool> follows;        ///< those of `to` that follow another joint
 };
 
-Transfer transfer_of(const Joint& source, const Joint& target, DofKind kind, const Quat& to_from,
-                     double factor) {
-  Transfer transfer{dofs_of(source, kind), dofs_of(target, kind), to_from.toRotationMatrix(),
-                    factor, false};
-  const auto is_same = [&](const DegreeOfFreedom& a, const DegreeOfFreedom& b) {
-    return (transfer.to_from * a.axis - b.axis).norm() <= kSameDirection &&
-           std::abs(a.rest * factor - b.rest) <= kSameDirection * std::abs(b.rest);
-  };
-  transfer.are_copied = std::equal(transfer.from.begin(), transfer.from.end(), transfer.to.begin(),
-                                   transfer.to.end(), is_same);
-  return transfer;
+bool follows_any(const Transfer& transfer) {
+  return std::find(transfer.follows.begin(), transfer.follows.end(), true) !=
+         transfer.follows.end();
+}
+
+/// Whether two degrees of freedom do the same by the same values.
+bool do_the_same(const DegreeOfFreedom& a, const DegreeOfFreedom& b, const Mat3& b_from_a,
+                 double factor) {
+  if (a.kind != b.kind) return false;
+  if (num_coordinates(a) > 1) return (b_from_a - Mat3::Identity()).norm() <= kSameDirection;
+  const double rest = value_of(b, b.rest);
+  return (b_from_a * a.axis - b.axis).norm() <= kSameDirection &&
+         std::abs(value_of(a, a.rest) * factor - rest) <= kSameDirection * std::abs(rest);
+}
+
+void copy_value(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor,
+                std::span<const double> row, std::span<double> result) {
+  if (num_coordinates(from) == 1) {
+    result[to.coordinate] = carried_over(from, to, factor, row[from.coordinate]);
+    return;
+  }
+  const double scale = from.kind == DofKind::RotationVector ? factor : 1;
+  for (std::size_t k = 0; k < num_coordinates(from); ++k) {
+    result[to.coordinate + k] = scale * row[from.coordinate + k];
+  }
 }
 
 void copy_values(const Transfer& transfer, std::span<const double> from, std::span<double> to) {
   for (std::size_t k = 0; k < transfer.to.size(); ++k) {
-    const double value = from[transfer.from[k].coordinate];
-    to[transfer.to[k].coordinate] = transfer.factor == 1 ? value : transfer.factor * value;
+    if (transfer.follows[k]) continue;
+    copy_value(transfer.from[k], transfer.to[k], transfer.factor, from, to);
   }
 }
 
-std::vector<TranslationColumn> columns_along(const std::vector<DegreeOfFreedom>& dofs) {
-  std::vector<TranslationColumn> columns;
-  for (const DegreeOfFreedom& dof : dofs) columns.push_back({dof.axis, dof.coordinate});
-  return columns;
+std::vector<Translation> along_axes(const std::vector<DegreeOfFreedom>& dofs) {
+  std::vector<Translation> translations;
+  for (const DegreeOfFreedom& dof : dofs) translations.push_back({dof.axis, dof});
+  return translations;
 }
 
 Vec3 at_rest(const std::vector<DegreeOfFreedom>& translations) {
   Vec3 sum = Vec3::Zero();
-  for (const DegreeOfFreedom& dof : translations) sum += dof.rest * dof.axis;
+  for (const DegreeOfFreedom& dof : translations) sum += value_of(dof, dof.rest) * dof.axis;
   return sum;
 }
+
+/// What is done with a row of the motion that is made.
+enum class Pass {
+  Write,    ///< numbers are found
+  Measure,  ///< it is found how far they are from what is wanted
+};
 
 /// Translates a joint, or its tail, as far from its rest position as another's is from its own.
 /// \param more  how much further, in the target's frame
 /// \returns     the distance that remains
-double translate(const Transfer& transfer, const Vec3& more, std::span<const double> from,
-                 std::span<double> to) {
-  if (transfer.are_copied && more.isZero(0)) {
+double translate(const Transfer& transfer, const Vec3& more, Pass pass,
+                 std::span<const double> from, std::span<double> to) {
+  if (pass == Pass::Write && transfer.are_copied && more.isZero(0)) {
     copy_values(transfer, from, to);
     return 0;
   }
   const Vec3 translation =
-      position_in_row(-at_rest(transfer.from), columns_along(transfer.from), from);
+      position_in_row(-at_rest(transfer.from), along_axes(transfer.from), from);
   const Vec3 wanted = transfer.factor * (transfer.to_from * translation) + more;
-  return fit_position(-at_rest(transfer.to), columns_along(transfer.to), wanted, to);
+  const Vec3 start = -at_rest(transfer.to);
+  const auto translations = along_axes(transfer.to);
+  if (pass == Pass::Measure) return (position_in_row(start, translations, to) - wanted).norm();
+  return fit_position(start, translations, wanted, to, transfer.follows);
 }
 
 /// What one joint could not do as the other did.
@@ -130,8 +152,27 @@ struct Sides {
   const Motion& from;
   std::vector<RestFrame> from_rest;
   std::vector<RestFrame> to_rest;
-  double scale = 1;  ///< between the units of length
+  std::vector<std::size_t> to_leaders;  ///< of columns
+  double scale = 1;                     ///< between the units of length
 };
+
+/// \param kind  of the degrees of freedom; rotations are all that turns a joint
+Transfer transfer_of(const Sides& sides, const Skeleton& to, JointPair pair, DofKind kind,
+                     const Quat& to_from, double factor) {
+  Transfer transfer{dofs_of(sides.from.skeleton.joints[pair.first], kind),
+                    dofs_of(to.joints[pair.second], kind),
+                    to_from.toRotationMatrix(),
+                    factor,
+                    false,
+                    {}};
+  transfer.are_copied =
+      std::equal(transfer.from.begin(), transfer.from.end(), transfer.to.begin(), transfer.to.end(),
+                 [&](const DegreeOfFreedom& a, const DegreeOfFreedom& b) {
+                   return do_the_same(a, b, transfer.to_from, factor);
+                 });
+  transfer.follows = following_dofs(transfer.to, pair.second, sides.to_leaders);
+  return transfer;
+}
 
 /// The rotations of a joint. It turns from its rest pose as the source does from its own: in the
 /// world's axes the turns are the same.
@@ -143,77 +184,120 @@ class Turn {
     const RestFrame& to = sides.to_rest[pair.second];
     const Quat to_from = to.unturned.conjugate() * from.unturned;
     const double factor = unit_ == to_unit_ ? 1 : radians_per(unit_) / radians_per(to_unit_);
-    transfer_ =
-        transfer_of(sides.from.skeleton.joints[pair.first], result.skeleton.joints[pair.second],
-                    DofKind::Rotation, to_from, factor);
+    transfer_ = transfer_of(sides, result.skeleton, pair, DofKind::Rotation, to_from, factor);
     right_ = (from.rest_turn.conjugate() * to_from.conjugate() * to.rest_turn).toRotationMatrix();
   }
 
   /// \param before  the row before, or the same one in the first frame
   /// \returns       the angle that remains, in radians
-  double apply(std::span<const double> from, std::span<const double> before,
+  double apply(Pass pass, std::span<const double> from, std::span<const double> before,
                std::span<double> to) const {
-    if (transfer_.are_copied) {
+    if (pass == Pass::Write && transfer_.are_copied) {
       copy_values(transfer_, from, to);
       return 0;
     }
-    for (const DegreeOfFreedom& dof : transfer_.to) {  // near the frame before
-      if (std::isfinite(before[dof.coordinate])) to[dof.coordinate] = before[dof.coordinate];
-    }
     const Mat3 rotation = transfer_.to_from * rotation_in_row(transfer_.from, from, unit_) * right_;
-    if (rotation.allFinite()) return fit_rotation(transfer_.to, rotation, to_unit_, to);
-    for (const DegreeOfFreedom& dof : transfer_.to) to[dof.coordinate] = std::nan("");
+    if (pass == Pass::Measure) {
+      const double angle =
+          angle_between(Quat(rotation), quaternion_in_row(transfer_.to, to, to_unit_));
+      return std::isfinite(angle) ? angle : 0;
+    }
+    start_near(before, to);
+    if (rotation.allFinite()) {
+      return fit_rotation(transfer_.to, rotation, to_unit_, to, transfer_.follows);
+    }
+    for (const std::size_t column : led_columns()) to[column] = std::nan("");
     return 0;
   }
 
+  bool follows() const { return follows_any(transfer_); }
+
  private:
+  std::vector<std::size_t> led_columns() const {
+    std::vector<std::size_t> columns;
+    for (std::size_t d = 0; d < transfer_.to.size(); ++d) {
+      const DegreeOfFreedom& dof = transfer_.to[d];
+      for (std::size_t k = 0; !transfer_.follows[d] && k < num_coordinates(dof); ++k) {
+        columns.push_back(dof.coordinate + k);
+      }
+    }
+    return columns;
+  }
+
+  /// Numbers are found near those of the frame before.
+  void start_near(std::span<const double> before, std::span<double> to) const {
+    for (const std::size_t column : led_columns()) {
+      if (std::isfinite(before[column])) to[column] = before[column];
+    }
+  }
+
   AngleUnit unit_;
   AngleUnit to_unit_;
   Transfer transfer_;
   Mat3 right_ = Mat3::Identity();
 };
 
-/// Moves one matched joint, frame by frame.
-Residual move_joint(const Sides& sides, JointPair pair, Motion& result) {
-  const Joint& source = sides.from.skeleton.joints[pair.first];
-  const Joint& target = result.skeleton.joints[pair.second];
-  const RestFrame& from_rest = sides.from_rest[pair.first];
-  const RestFrame& to_rest = sides.to_rest[pair.second];
-  const Turn turn(sides, result, pair);
-  const auto transfer = [&](DofKind kind, const Quat& to_from, double factor) {
-    return transfer_of(source, target, kind, to_from, factor);
-  };
-  const Transfer place = transfer(DofKind::Translation,
-                                  to_rest.unturned.conjugate() * from_rest.unturned, sides.scale);
-  const Quat tail_turn = to_rest.turned().conjugate() * from_rest.turned();
-  const Transfer tail = transfer(DofKind::TailTranslation, tail_turn, sides.scale);
-  const Transfer scales = transfer(DofKind::TailScale, tail_turn, 1);
-  // Roots go where the others are; other joints are as far from where they rest.
-  const bool are_roots = source.parent == kNoParent && target.parent == kNoParent;
-  Vec3 more = Vec3::Zero();
-  if (are_roots) {
-    const Vec3 apart = place.are_copied
+/// How one joint moves as another does.
+class Mover {
+ public:
+  Mover(const Sides& sides, const Motion& result, JointPair pair)
+      : sides_(sides), turn_(sides, result, pair) {
+    const Joint& source = sides.from.skeleton.joints[pair.first];
+    const Joint& target = result.skeleton.joints[pair.second];
+    const RestFrame& from_rest = sides.from_rest[pair.first];
+    const RestFrame& to_rest = sides.to_rest[pair.second];
+    const auto transfer = [&](DofKind kind, const Quat& to_from, double factor) {
+      return transfer_of(sides, result.skeleton, pair, kind, to_from, factor);
+    };
+    place_ = transfer(DofKind::Translation, to_rest.unturned.conjugate() * from_rest.unturned,
+                      sides.scale);
+    const Quat tail_turn = to_rest.turned().conjugate() * from_rest.turned();
+    tail_ = transfer(DofKind::TailTranslation, tail_turn, sides.scale);
+    scales_ = transfer(DofKind::TailScale, tail_turn, 1);
+    // Roots go where the others are; other joints are as far from where they rest.
+    if (source.parent != kNoParent || target.parent != kNoParent) return;
+    const Vec3 apart = place_.are_copied
                            ? Vec3(sides.scale * source.offset - target.offset)
                            : Vec3(sides.scale * rest_offset(source) - rest_offset(target));
-    if (!apart.isZero(0)) more = target.rest_rotation.conjugate() * apart;
+    if (!apart.isZero(0)) more_ = target.rest_rotation.conjugate() * apart;
   }
-  Residual residual;
-  residual.is_scaled =
-      !scales.are_copied &&
-      std::any_of(scales.from.begin(), scales.from.end(), [&sides](const DegreeOfFreedom& dof) {
-        return !is_always(sides.from.clip, dof.coordinate, dof.rest);
-      });
-  const Rows rows = result.clip.mutate();
-  for (std::size_t f = 0; f < sides.from.clip.num_frames; ++f) {
-    const auto from = sides.from.clip.row(f);
-    const std::span<double> row = rows[f];
-    residual.distance = std::max({residual.distance, translate(place, more, from, row),
-                                  translate(tail, Vec3::Zero(), from, row)});
-    residual.angle = std::max(residual.angle, turn.apply(from, rows[f > 0 ? f - 1 : 0], row));
-    if (scales.are_copied) copy_values(scales, from, row);
+
+  /// Whether the joint follows others, so that what it does is known when all have moved.
+  bool follows() const {
+    return turn_.follows() || follows_any(place_) || follows_any(tail_) || follows_any(scales_);
   }
-  return residual;
-}
+
+  Residual apply(Pass pass, Motion& result) const {
+    Residual residual;
+    residual.is_scaled = is_scale_lost();
+    const Rows rows = result.clip.mutate();
+    for (std::size_t f = 0; f < sides_.from.clip.num_frames; ++f) {
+      const auto from = sides_.from.clip.row(f);
+      const std::span<double> row = rows[f];
+      residual.distance = std::max({residual.distance, translate(place_, more_, pass, from, row),
+                                    translate(tail_, Vec3::Zero(), pass, from, row)});
+      residual.angle =
+          std::max(residual.angle, turn_.apply(pass, from, rows[f > 0 ? f - 1 : 0], row));
+      if (pass == Pass::Write && scales_.are_copied) copy_values(scales_, from, row);
+    }
+    return residual;
+  }
+
+ private:
+  bool is_scale_lost() const {
+    return !scales_.are_copied &&
+           std::any_of(scales_.from.begin(), scales_.from.end(), [this](const auto& dof) {
+             return !is_always(sides_.from.clip, dof.coordinate, dof.rest);
+           });
+  }
+
+  const Sides& sides_;
+  Turn turn_;
+  Transfer place_;
+  Transfer tail_;
+  Transfer scales_;
+  Vec3 more_ = Vec3::Zero();
+};
 
 bool moves_freely(const Skeleton& skeleton) {
   return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
@@ -276,9 +360,17 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
   }
   const double scale = has_units ? from_unit / skeleton.metres_per_unit : 1.0;
   constexpr double kNoticeable = 1e-6;
-  const Sides sides{motion, rest_frames_of(motion.skeleton), rest_frames_of(skeleton), scale};
+  const Sides sides{motion, rest_frames_of(motion.skeleton), rest_frames_of(skeleton),
+                    leaders_of_columns(skeleton), scale};
+  std::vector<Residual> residuals;
   for (const JointPair pair : pairs) {
-    const Residual residual = move_joint(sides, pair, result);
+    residuals.push_back(Mover(sides, result, pair).apply(Pass::Write, result));
+  }
+  fill_following_columns(result, 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const JointPair pair = pairs[i];
+    const Mover mover(sides, result, pair);
+    const Residual residual = mover.follows() ? mover.apply(Pass::Measure, result) : residuals[i];
     const std::string& name = skeleton.joints[pair.second].name;
     if (residual.angle > kNoticeable) {
       warn(diagnostics, fmt::format("joint '{}' cannot turn as it did: up to {:.3g} degrees are "

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
 
 namespace kinefile::shape {
@@ -13,7 +14,7 @@ namespace {
 void turn_frames(Joint& joint, const Mat3& new_from_old, const Mat3& new_from_old_parent) {
   joint.offset = new_from_old_parent * joint.offset;
   for (DegreeOfFreedom& dof : joint.dofs) {
-    if (dof.kind != DofKind::Free) dof.axis = (new_from_old * dof.axis).normalized();
+    if (num_coordinates(dof) == 1) dof.axis = (new_from_old * dof.axis).normalized();
   }
   for (Tip& tip : joint.tips) tip.offset = new_from_old * tip.offset;
   joint.rest_rotation = Quat::Identity();
@@ -69,11 +70,12 @@ Result<Motion> with_world_aligned_rest(const Motion& motion) {
     world_from_rest.push_back(own);
     is_turned.push_back(has_turned_parent || is_rest_turned);
     if (!is_turned.back()) continue;
-    if (moves_freely(joint)) {
+    if (is_whole_rotation(rotations_of(joint))) {
+      const char* way = moves_freely(joint) ? "moves freely" : "turns in any way";
       return fail(make_error(ErrorKind::DataLoss, "BRG001",
-                             fmt::format("joint '{}' moves freely and is turned in its rest pose, "
-                                         "so its values cannot stay as they are",
-                                         joint.name)));
+                             fmt::format("joint '{}' {} and is turned in its rest pose, so its "
+                                         "values cannot stay as they are",
+                                         joint.name, way)));
     }
     turn_frames(joint, own, parent);
   }
@@ -90,8 +92,10 @@ Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::TailTranslation) continue;
       // Without frames the rest pose is all that there is.
-      const bool is_still = is_always(motion.clip, dof.coordinate, 0) &&
-                            (motion.clip.num_frames > 0 || dof.rest == 0);
+      const bool has_frames = motion.clip.num_frames > 0;
+      const double first = has_frames ? motion.clip.row(0)[dof.coordinate] : dof.rest;
+      const bool is_still =
+          value_of(dof, first) == 0 && is_always(motion.clip, dof.coordinate, first);
       const bool moves_tip = !is_still && has_outer_tip(motion.skeleton, joint, children[j]);
       if (moves_tip) {
         Error error = make_error(

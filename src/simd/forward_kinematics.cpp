@@ -49,6 +49,12 @@ struct Block {
     for (std::size_t i = 0; i < count; ++i) lanes.v[i] = from[i * rows.stride];
     for (std::size_t i = count; i < kBlock; ++i) lanes.v[i] = lanes.v[count - 1];
   }
+
+  HWY_INLINE void load(const Input& input, Lanes& lanes) const {
+    load(input.coordinate, lanes);
+    if (input.gain == 1 && input.shift == 0) return;
+    for (std::size_t i = 0; i < kBlock; ++i) lanes.v[i] = input.gain * lanes.v[i] + input.shift;
+  }
 };
 
 HWY_INLINE void fill(Lanes& lanes, double value) {
@@ -114,7 +120,7 @@ void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, boo
   Lanes angles;
   Lanes sine;
   Lanes cosine;
-  block.load(turn.coordinate, angles);
+  block.load(turn.input, angles);
   (is_in_degrees ? sincos_degrees : sincos_radians)(angles.v, sine.v, cosine.v);
   if (turn.axis == 3) {
     MatrixLanes factor;
@@ -130,7 +136,7 @@ void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, boo
 /// Choreonoid writes them. Such a quaternion is taken as it is, which Choreonoid does with any.
 constexpr double kRoundedSquare = 1e-8;
 
-/// The rotation of a free joint, whose quaternion is normalised here and only here.
+/// A rotation that is told by a quaternion, which is normalised here and only here.
 void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block& block) {
   std::array<Lanes, 4> q;
   for (std::size_t k = 0; k < 4; ++k) block.load(coordinate + k, q[k]);
@@ -156,13 +162,42 @@ void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block
   multiply(rotation, factor);
 }
 
+/// A rotation that is told by its axis times its angle.
+void apply_vector(MatrixLanes& rotation, std::size_t coordinate, const Block& block,
+                  bool is_in_degrees) {
+  std::array<Lanes, 3> u;
+  Lanes angle;
+  Lanes sine;
+  Lanes cosine;
+  for (std::size_t k = 0; k < 3; ++k) block.load(coordinate + k, u[k]);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double square = u[0].v[i] * u[0].v[i] + u[1].v[i] * u[1].v[i] + u[2].v[i] * u[2].v[i];
+    angle.v[i] = std::sqrt(square);
+    const double length = angle.v[i] == 0 ? 1 : angle.v[i];  // no angle, no axis
+    for (std::size_t k = 0; k < 3; ++k) u[k].v[i] /= length;
+  }
+  (is_in_degrees ? sincos_degrees : sincos_radians)(angle.v, sine.v, cosine.v);
+  MatrixLanes factor;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t next = (c + 1) % 3;
+    const std::size_t last = (c + 2) % 3;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double along = (1 - cosine.v[i]) * u[c].v[i];
+      factor[c][c].v[i] = cosine.v[i] + along * u[c].v[i];
+      factor[c][next].v[i] = along * u[next].v[i] + sine.v[i] * u[last].v[i];
+      factor[c][last].v[i] = along * u[last].v[i] - sine.v[i] * u[next].v[i];
+    }
+  }
+  multiply(rotation, factor);
+}
+
 /// Where a joint's origin lies in its parent's frame.
 HWY_INLINE void local_position(const PlannedJoint& joint, const Block& block,
                                VectorLanes& position) {
   fill(position, joint.offset);
   for (const Shift& shift : joint.shifts) {
     Lanes values;
-    block.load(shift.coordinate, values);
+    block.load(shift.input, values);
     for (std::size_t k = 0; k < 3; ++k) {
       if (shift.direction[k] == 0) continue;
       for (std::size_t i = 0; i < kBlock; ++i) {
@@ -178,7 +213,7 @@ void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& bloc
     const TailMove& move = joint.tail_moves[m];
     const Vector& u = move.direction;
     Lanes values;
-    block.load(move.coordinate, values);
+    block.load(move.input, values);
     if (move.is_scale && move.axis < 3) {  // a product alone loses no digits
       for (std::size_t i = 0; i < kBlock; ++i) point[move.axis].v[i] *= values.v[i];
       continue;
@@ -212,7 +247,11 @@ void place_joint(const Plan& plan, std::size_t j, const Block& block, std::vecto
     fill(rest, joint.rest_rotation);
     multiply(pose.rotation, rest);
   }
-  if (joint.is_free) apply_quaternion(pose.rotation, joint.quaternion_coordinate, block);
+  if (joint.whole == WholeRotation::Quaternion) {
+    apply_quaternion(pose.rotation, joint.whole_coordinate, block);
+  } else if (joint.whole == WholeRotation::AxisAngle) {
+    apply_vector(pose.rotation, joint.whole_coordinate, block, plan.is_in_degrees);
+  }
   for (const Turn& turn : joint.turns) apply_turn(pose.rotation, turn, block, plan.is_in_degrees);
 }
 

@@ -14,10 +14,22 @@ using Matrix = std::array<Vector, 3>;  ///< [column][row]
 
 inline constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
 
+/// A column and what makes a value of its number: gain * number + shift.
+struct Input {
+  std::size_t coordinate = 0;
+  double gain = 1;
+  double shift = 0;
+
+  double value(const double* row) const {
+    const double number = row[coordinate];
+    return gain == 1 && shift == 0 ? number : gain * number + shift;
+  }
+};
+
 /// A rotation about x, y or z (`axis` 0, 1, 2; `sign` -1 for the opposite axis), or about any
 /// other unit vector (`axis` 3, `sign` without meaning).
 struct Turn {
-  std::size_t coordinate;
+  Input input;
   std::size_t axis;
   double sign;
   Vector direction;
@@ -25,29 +37,36 @@ struct Turn {
 
 /// A movement of a joint's origin, along a direction in its parent's frame.
 struct Shift {
-  std::size_t coordinate;
+  Input input;
   Vector direction;
 };
 
 /// What a joint does to where its children and tips sit, along an axis of its own frame: x, y or z
 /// (`axis` 0, 1, 2), or any other unit vector (`axis` 3).
 struct TailMove {
-  std::size_t coordinate;
+  Input input;
   bool is_scale;
   std::size_t axis;
   Vector direction;
 };
 
+/// A rotation that several columns tell as a whole.
+enum class WholeRotation {
+  None,
+  Quaternion,  ///< qw, qx, qy, qz
+  AxisAngle,   ///< an axis times its angle, three numbers
+};
+
 /// A joint as the kernel wants it: parent_from_joint is a translation by `offset` and all shifts,
-/// the rest rotation, the free rotation, the turns, the first of them outermost.
+/// the rest rotation, the whole rotation, the turns, the first of them outermost.
 struct PlannedJoint {
   std::size_t parent = kNoJoint;  ///< an index below the joint's own
   Vector offset{};
   bool has_rest_rotation = false;
   Matrix rest_rotation{};
   std::vector<Shift> shifts;
-  bool is_free = false;
-  std::size_t quaternion_coordinate = 0;  ///< of qw; qx, qy, qz follow
+  WholeRotation whole = WholeRotation::None;
+  std::size_t whole_coordinate = 0;  ///< its first column
   std::vector<Turn> turns;
   std::vector<TailMove> tail_moves;  ///< the first of them is outermost
   Vector direction{};                ///< unit vector along the bone, in the joint's frame

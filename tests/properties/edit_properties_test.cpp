@@ -292,9 +292,15 @@ TEST(EditProperties, UnwrapTakesJumpsOut) {
     const double turn =
         motion.skeleton.angle_unit == AngleUnit::Degrees ? 360 : 2 * std::numbers::pi;
     const Rows rows = jumping.clip.mutate();
+    std::vector<bool> jumps(motion.clip.num_coordinates, true);  // by whole turns of all readers
     for (const Joint& joint : motion.skeleton.joints) {
       for (const DegreeOfFreedom& dof : joint.dofs) {
-        if (dof.kind != DofKind::Rotation) continue;
+        if (dof.gain != std::round(dof.gain)) jumps[dof.coordinate] = false;
+      }
+    }
+    for (const Joint& joint : motion.skeleton.joints) {
+      for (const DegreeOfFreedom& dof : joint.dofs) {
+        if (dof.kind != DofKind::Rotation || !jumps[dof.coordinate]) continue;
         for (std::size_t f = 1; f < motion.clip.num_frames; f += 3) rows[f][dof.coordinate] += turn;
       }
     }

@@ -16,6 +16,17 @@ namespace {
 constexpr double kSameRobotPlace = 1e-9;
 constexpr double kSameRobotTurn = 1e-7;
 
+/// Lets joints that follow others repeat their values.
+void repeat_following(Motion& motion) {
+  const Rows rows = motion.clip.mutate();
+  for (const FollowingColumn& following : following_columns(motion.skeleton)) {
+    const DegreeOfFreedom& dof = motion.skeleton.joints[following.joint].dofs[0];
+    for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+      rows[f][following.column] = value_of(dof, rows[f][dof.coordinate]);
+    }
+  }
+}
+
 /// A robot's motion whose joints start on the turn that is nearest to 0.
 Motion robot_near_zero(RandomSource& random) {
   Motion motion = random_robot(random);
@@ -28,6 +39,7 @@ Motion robot_near_zero(RandomSource& random) {
       rows[f][column] -= first - std::clamp(first, -3.0, 3.0);
     }
   }
+  repeat_following(motion);
   return motion;
 }
 
@@ -94,6 +106,7 @@ TEST(RobotProperties, ARobotFollowsItself) {
         rows[f][joint.dofs[0].coordinate] = joint.dofs[0].rest;
       }
     }
+    repeat_following(motion);
     Diagnostics diagnostics;
     const auto body = robot::onto_robot(motion, motion.skeleton, {}, diagnostics);
     ASSERT_TRUE(body);

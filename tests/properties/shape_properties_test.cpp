@@ -40,7 +40,8 @@ TEST(ShapeProperties, WorldAlignedRestKeepsTheWorldAndTheValues) {
   RandomSource random(101);
   int num_accepted = 0;
   for (int i = 0; i < 300; ++i) {
-    const Motion motion = random_motion(random, {.free_joints = i % 3 == 0});
+    const Motion motion =
+        random_motion(random, {.free_joints = i % 3 == 0, .whole_rotations = i % 9 == 0});
     const ExpectUnchanged unchanged(motion);
     const auto aligned = shape::with_world_aligned_rest(motion);
     if (!aligned) {
@@ -159,9 +160,11 @@ TEST(ShapeProperties, BonesKeepTheWorld) {
     EXPECT_TRUE(same_skeleton(again->skeleton, bones->skeleton));
     EXPECT_TRUE(same_bits(again->clip.values, bones->clip.values));
     bool has_unread = false;
-    for (const std::size_t readers : num_readers_of_columns(motion.skeleton)) {
-      has_unread |= readers == 0;
+    std::vector<std::size_t> readers = num_readers_of_columns(motion.skeleton);
+    for (const FollowingColumn& following : following_columns(motion.skeleton)) {
+      ++readers[following.column];  // what it holds is said by the joint
     }
+    for (const std::size_t count : readers) has_unread |= count == 0;
     EXPECT_TRUE(!has_unread || count_code(diagnostics, "BRG005") > 0) << "what is lost is told";
   }
   EXPECT_GT(num_accepted, 260);
@@ -237,6 +240,7 @@ bool has_plain_columns(const Motion& motion) {
     for (const DegreeOfFreedom& dof : motion.skeleton.joints[j].dofs) {
       const bool is_own = motion.skeleton.coordinates[dof.coordinate].joint == j;
       if (readers[dof.coordinate] != 1 || !is_own || !coordinate_axis(dof.axis)) return false;
+      if (!is_plain(dof) || num_coordinates(dof) > 1) return false;
     }
   }
   return true;
@@ -247,9 +251,11 @@ TEST(ShapeProperties, OtherChannelsKeepTheWorldAndTheRestPose) {
   int num_root_accepted = 0;
   int num_plain = 0;
   for (int i = 0; i < 1040; ++i) {
-    const Motion motion = random_motion(
-        random,
-        {.oblique_axes = i % 4 != 0, .shared_columns = i % 4 != 0, .without_frames = i % 13 == 0});
+    const Motion motion = random_motion(random, {.oblique_axes = i % 4 != 0,
+                                                 .shared_columns = i % 4 != 0,
+                                                 .without_frames = i % 13 == 0,
+                                                 .whole_rotations = i % 4 != 0,
+                                                 .gains = i % 4 != 0});
     const ExpectUnchanged unchanged(motion);
     shape::ChannelOptions options;
     constexpr shape::PositionChannels kWays[] = {
@@ -300,6 +306,33 @@ TEST(ShapeProperties, OtherChannelsKeepTheWorldAndTheRestPose) {
   EXPECT_GT(num_plain, 10);
 }
 
+TEST(ShapeProperties, PlainValuesAndAnglesKeepTheWorldAndTheRestPose) {
+  RandomSource random(110);
+  int num_changed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Motion motion =
+        i % 5 == 0 ? random_robot(random) : random_motion(random, {.free_joints = i % 2 == 0});
+    const ExpectUnchanged unchanged(motion);
+    const Motion plain = shape::with_plain_values(motion);
+    const Motion angles = shape::with_angles(plain, {1, 0, 2});
+    for (const Joint& joint : angles.skeleton.joints) {
+      for (const DegreeOfFreedom& dof : joint.dofs) {
+        EXPECT_TRUE(is_plain(dof));
+        EXPECT_TRUE(dof.kind == DofKind::Free || num_coordinates(dof) == 1);
+      }
+    }
+    EXPECT_TRUE(following_columns(plain.skeleton).empty());
+    for (const Motion* changed : {&plain, &angles}) {
+      expect_same_world(motion, *changed, i);
+      const WorldDifference at_rest = world_difference(motion, *changed, true);
+      EXPECT_LT(at_rest.position, kSamePlace) << i;
+      EXPECT_LT(at_rest.rotation, kSameTurn) << i;
+    }
+    num_changed += same_skeleton(motion.skeleton, angles.skeleton) ? 0 : 1;
+  }
+  EXPECT_GT(num_changed, 100);
+}
+
 TEST(ShapeProperties, OntoItselfAndOntoTurnedTwinsEveryBitStays) {
   RandomSource random(107);
   for (int i = 0; i < 300; ++i) {
@@ -333,7 +366,9 @@ TEST(ShapeProperties, WhatWasGivenOtherChannelsComesBackOntoItsSkeleton) {
   int num_tried = 0;
   for (int i = 0; i < 500; ++i) {
     const Motion motion =
-        i % 4 == 0 ? random_bones(random) : random_motion(random, {.shared_columns = false});
+        i % 4 == 0
+            ? random_bones(random)
+            : random_motion(random, {.shared_columns = false, .whole_rotations = i % 2 == 1});
     if (!can_be_fitted(motion.skeleton)) continue;
     ++num_tried;
     Diagnostics diagnostics;

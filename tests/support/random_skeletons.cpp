@@ -6,43 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <map>
 #include <numbers>
+#include <utility>
 
-#include "kinefile/kinematics.hpp"
+#include "support/random_clips.hpp"
 
 namespace kinefile::test {
 
-double random_number(RandomSource& random, double low, double high) {
-  // Not std::uniform_real_distribution, which gives other numbers with other libraries.
-  const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
-  return low + (high - low) * unit;
-}
-
-bool random_chance(RandomSource& random, double probability) {
-  return random_number(random, 0, 1) < probability;
-}
-
-std::size_t random_below(RandomSource& random, std::size_t bound) { return random() % bound; }
-
-Vec3 random_vector(RandomSource& random, double size) {
-  const double x = random_number(random, -size, size);
-  const double y = random_number(random, -size, size);
-  return {x, y, random_number(random, -size, size)};
-}
-
-Quat random_rotation(RandomSource& random) {
-  const Vec3 axis = random_vector(random, 1) + Vec3(0, 0, 1e-3);
-  return Quat(Eigen::AngleAxisd(random_number(random, -3.1, 3.1), axis.normalized()));
-}
-
 namespace {
-
-constexpr std::size_t kNumRandomFrames = 14;
-
-/// What a column means.
-enum class Means { Angle, Length, Scale, Free, Nothing };
 
 /// A skeleton in the making.
 struct Maker {
@@ -91,8 +62,13 @@ double random_rest(Maker& maker, double probability, double size) {
   return has_rest ? random_number(maker.random, -size, size) : 0;
 }
 
-double quarter_turn(const Skeleton& skeleton) {
-  return skeleton.angle_unit == AngleUnit::Degrees ? 90 : std::numbers::pi / 2;
+/// Gives a degree of freedom a value that is not its column's number.
+void add_gain(Maker& maker, DegreeOfFreedom& dof) {
+  const bool is_wanted = maker.traits.gains && dof.kind != DofKind::TailScale;
+  if (!is_wanted || !random_chance(maker.random, 0.15)) return;
+  const double size = dof.kind == DofKind::Rotation ? 10 : 0.5;
+  dof.gain = random_number(maker.random, 0.5, 2) * (random_chance(maker.random, 0.5) ? -1 : 1);
+  dof.shift = random_chance(maker.random, 0.5) ? 0 : random_number(maker.random, -size, size);
 }
 
 void add_dof(Maker& maker, std::size_t joint, DofKind kind, const Vec3& axis, double rest,
@@ -102,10 +78,23 @@ void add_dof(Maker& maker, std::size_t joint, DofKind kind, const Vec3& axis, do
   if (along && channel.front() == 'c') channel = channel_name(kind, *along);
   for (const Joint& other : maker.skeleton().joints) {  // a column has one rest value
     for (const DegreeOfFreedom& dof : other.dofs) {
-      if (dof.kind != DofKind::Free && dof.coordinate == column) rest = dof.rest;
+      if (num_coordinates(dof) == 1 && dof.coordinate == column) rest = dof.rest;
     }
   }
-  maker.skeleton().joints[joint].dofs.push_back({kind, axis, column, rest});
+  DegreeOfFreedom dof{kind, axis, column, rest};
+  add_gain(maker, dof);
+  maker.skeleton().joints[joint].dofs.push_back(dof);
+}
+
+/// A ball or a rotation vector.
+void add_whole(Maker& maker, std::size_t joint, DofKind kind) {
+  const Means means = kind == DofKind::Ball ? Means::Ball : Means::Vector;
+  const std::size_t first = new_column(maker, joint, means);
+  for (std::size_t k = 1; k < columns_of_meaning(means); ++k) new_column(maker, joint, means);
+  for (std::size_t k = 0; k < columns_of_meaning(means); ++k) {
+    maker.skeleton().coordinates[first + k].channel = channel_name(kind, k);
+  }
+  maker.skeleton().joints[joint].dofs.push_back({kind, Vec3::UnitX(), first, 0});
 }
 
 void add_free(Maker& maker, std::size_t joint) {
@@ -128,7 +117,12 @@ void add_dofs(Maker& maker, std::size_t joint, bool is_root) {
             some_column(maker, joint, Means::Length));
   }
   const auto rotations = random_axes(maker);
-  const std::size_t num_rotations = random_chance(random, 0.5) ? 3 : random_below(random, 3);
+  const bool is_whole = maker.traits.whole_rotations && random_chance(random, 0.2);
+  if (is_whole) {
+    add_whole(maker, joint, random_chance(random, 0.5) ? DofKind::Ball : DofKind::RotationVector);
+  }
+  const std::size_t num_rotations =
+      is_whole ? 0 : (random_chance(random, 0.5) ? 3 : random_below(random, 3));
   for (std::size_t k = 0; k < num_rotations; ++k) {
     add_dof(maker, joint, DofKind::Rotation, rotations[k],
             random_rest(maker, 0.3, quarter_turn(maker.skeleton())),
@@ -161,12 +155,12 @@ Vec3 random_offset(RandomSource& random) {
   return offset;
 }
 
-/// Puts the columns into another order; those of a free joint stay together.
+/// Puts the columns into another order; those that mean one thing stay together.
 void shuffle_columns(Maker& maker) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t c = 0; c < maker.meanings.size(); ++c) {
     groups.emplace_back();
-    const std::size_t count = maker.meanings[c] == Means::Free ? 7 : 1;
+    const std::size_t count = columns_of_meaning(maker.meanings[c]);
     for (std::size_t k = 0; k < count; ++k) groups.back().push_back(c + k);
     c += count - 1;
   }
@@ -190,55 +184,8 @@ void shuffle_columns(Maker& maker) {
   }
 }
 
-/// A curve through the frames: about a middle, as far from it, with a frequency.
-double curve_at(double middle, double size, double frequency, double phase, std::size_t frame) {
-  return middle + size * std::sin(frequency * static_cast<double>(frame) + phase);
-}
-
-void fill_free(Maker& maker, std::size_t column, const Rows& rows) {
-  const Vec3 start = random_vector(maker.random, 1);
-  const Vec3 speed = random_vector(maker.random, 0.1);
-  const Quat turn = random_rotation(maker.random);
-  const Vec3 spin = random_vector(maker.random, 0.3);
-  for (std::size_t f = 0; f < kNumRandomFrames; ++f) {
-    const auto frame = static_cast<double>(f);
-    const Vec3 place = start + frame * speed;
-    const Quat q = turn * exp_of(frame * spin);
-    const double numbers[] = {place[0], place[1], place[2], q.w(), q.x(), q.y(), q.z()};
-    std::copy_n(numbers, 7, rows[f].begin() + static_cast<std::ptrdiff_t>(column));
-  }
-}
-
 void fill_clip(Maker& maker) {
-  Clip& clip = maker.motion.clip;
-  clip.num_frames = maker.traits.without_frames ? 0 : kNumRandomFrames;
-  clip.num_coordinates = maker.meanings.size();
-  clip.timeline = {FrameTime{1.0 / 60}, 0};
-  clip.values.assign(clip.num_frames * clip.num_coordinates, 0);
-  if (maker.traits.without_frames) return;
-  const Rows rows = clip.mutate();
-  const double quarter = quarter_turn(maker.skeleton());
-  for (std::size_t c = 0; c < maker.meanings.size(); ++c) {
-    const Means means = maker.meanings[c];
-    if (means == Means::Free) {
-      fill_free(maker, c, rows);
-      c += 6;
-      continue;
-    }
-    const bool is_still = random_chance(maker.random, 0.15);
-    const double size = (means == Means::Angle   ? quarter
-                         : means == Means::Scale ? 0.3
-                                                 : 0.5) *
-                        (is_still ? 0 : 1);
-    const double spread = means == Means::Angle ? quarter : 0.3;
-    const double middle =
-        random_number(maker.random, -spread, spread) + (means == Means::Scale ? 1 : 0);
-    const double frequency = random_number(maker.random, 0.05, 0.5);
-    const double phase = random_number(maker.random, 0, 6);
-    for (std::size_t f = 0; f < kNumRandomFrames; ++f) {
-      rows[f][c] = curve_at(middle, size, frequency, phase, f);
-    }
-  }
+  fill_random_clip(maker.random, maker.meanings, maker.traits.without_frames, maker.motion);
 }
 
 }  // namespace
@@ -325,6 +272,30 @@ Motion random_bones(RandomSource& random) {
   return std::move(maker.motion);
 }
 
+namespace {
+
+/// Lets a joint follow an earlier one of its kind, sometimes; false where it does not. Its own
+/// column stands beside. Gains are whole, so that angles a whole turn apart are followed alike.
+bool follow_another(Maker& maker, std::size_t joint, DofKind kind) {
+  std::vector<DegreeOfFreedom> leaders;
+  for (const Joint& other : maker.skeleton().joints) {
+    for (const DegreeOfFreedom& dof : other.dofs) {
+      if (dof.kind == kind && is_plain(dof)) leaders.push_back(dof);
+    }
+  }
+  if (leaders.empty() || !random_chance(maker.random, 0.25)) return false;
+  constexpr std::array<double, 3> kGains = {-1, 1, 2};
+  DegreeOfFreedom dof = leaders[random_below(maker.random, leaders.size())];
+  dof.axis = random_axes(maker)[0];
+  dof.gain = kGains[random_below(maker.random, kGains.size())];
+  dof.shift = random_chance(maker.random, 0.5) ? 0 : random_number(maker.random, -0.5, 0.5);
+  maker.skeleton().joints[joint].dofs.push_back(dof);
+  new_column(maker, joint, Means::Nothing);
+  return true;
+}
+
+}  // namespace
+
 Motion random_robot(RandomSource& random) {
   Maker maker{random, {}};
   Skeleton& skeleton = maker.skeleton();
@@ -343,6 +314,7 @@ Motion random_robot(RandomSource& random) {
     if (j == 0) add_free(maker, 0);
     if (j == 0 || random_chance(random, 0.1)) continue;
     const DofKind kind = random_chance(random, 0.8) ? DofKind::Rotation : DofKind::Translation;
+    if (follow_another(maker, j, kind)) continue;
     const std::size_t column =
         new_column(maker, j, kind == DofKind::Rotation ? Means::Angle : Means::Length);
     skeleton.joints[j].dofs.push_back(
@@ -366,21 +338,32 @@ void add_image(Maker& maker, std::size_t original, std::size_t parent) {
   image.rest_rotation.z() = -image.rest_rotation.z();
   for (Tip& tip : image.tips) tip.offset = signs.cwiseProduct(tip.offset);
   const std::size_t index = maker.skeleton().joints.size();
-  for (DegreeOfFreedom& dof : image.dofs) {
+  const std::vector<DegreeOfFreedom> dofs = std::exchange(image.dofs, {});
+  maker.skeleton().joints.push_back(image);
+  for (const DegreeOfFreedom& dof : dofs) {
+    if (num_coordinates(dof) > 1) {
+      add_whole(maker, index, dof.kind);
+      continue;
+    }
     const Means means = dof.kind == DofKind::Rotation ? Means::Angle : Means::Length;
-    dof.coordinate = new_column(maker, index, means);
+    maker.skeleton().joints[index].dofs.push_back(dof);
+    maker.skeleton().joints[index].dofs.back().coordinate = new_column(maker, index, means);
   }
+  image = maker.skeleton().joints[index];
   if (random_chance(maker.random, 0.5)) {
     for (DegreeOfFreedom& dof : image.dofs) dof.axis = signs.cwiseProduct(dof.axis);
   }
-  maker.skeleton().joints.push_back(std::move(image));
+  maker.skeleton().joints[index] = std::move(image);
 }
 
 }  // namespace
 
 Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
   Maker maker{random, {}};
-  maker.traits = {.rest_rotations = rest_rotations, .oblique_axes = false, .rest_values = false};
+  maker.traits = {.rest_rotations = rest_rotations,
+                  .oblique_axes = false,
+                  .rest_values = false,
+                  .gains = false};
   Skeleton& skeleton = maker.skeleton();
   skeleton.angle_unit = random_chance(random, 0.3) ? AngleUnit::Radians : AngleUnit::Degrees;
   skeleton.metres_per_unit = 1;
@@ -401,9 +384,14 @@ Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
       add_dof(maker, index, DofKind::Translation, axes[k], 0,
               new_column(maker, index, Means::Length));
     }
+    if (random_chance(random, 0.2)) {
+      add_whole(maker, index, random_chance(random, 0.5) ? DofKind::Ball : DofKind::RotationVector);
+      return index;
+    }
     const std::size_t num_rotations = is_middle || random_chance(random, 0.5) ? 3 : 1;
     for (std::size_t k = 0; k < num_rotations; ++k) {
       add_dof(maker, index, DofKind::Rotation, axes[k], 0, new_column(maker, index, Means::Angle));
+      if (random_chance(random, 0.1)) skeleton.joints[index].dofs.back().gain = -0.5;
     }
     return index;
   };
@@ -431,7 +419,9 @@ Motion with_turned_frames(const Motion& motion, RandomSource& random) {
   Motion turned = motion;
   std::vector<Quat> old_from_new;
   for (Joint& joint : turned.skeleton.joints) {
-    const Quat own = moves_freely(joint) ? Quat(Quat::Identity()) : random_rotation(random);
+    const bool is_whole = std::any_of(joint.dofs.begin(), joint.dofs.end(),
+                                      [](const auto& dof) { return num_coordinates(dof) > 1; });
+    const Quat own = is_whole ? Quat(Quat::Identity()) : random_rotation(random);
     const Quat above =
         joint.parent == kNoParent ? Quat(Quat::Identity()) : old_from_new[joint.parent];
     old_from_new.push_back(own);
@@ -442,113 +432,6 @@ Motion with_turned_frames(const Motion& motion, RandomSource& random) {
   }
   EXPECT_TRUE(validate(turned.skeleton));
   return turned;
-}
-
-double world_size(const Motion& motion) {
-  double size = 1;
-  const bool has_frames = motion.clip.num_frames > 0;
-  const Clip clip = has_frames ? motion.clip : rest_clip(motion.skeleton);
-  const WorldPoses poses = forward_kinematics(motion.skeleton, clip, {.tips = true});
-  for (const double p : poses.positions) size = std::max(size, std::abs(p));
-  for (const double p : poses.tips) size = std::max(size, std::abs(p));
-  return size;
-}
-
-WorldDifference world_difference(const Motion& a, const Motion& b, bool rest) {
-  const bool is_at_rest = rest || (a.clip.num_frames == 0 && b.clip.num_frames == 0);
-  const Clip clip_a = is_at_rest ? rest_clip(a.skeleton) : a.clip;
-  const Clip clip_b = is_at_rest ? rest_clip(b.skeleton) : b.clip;
-  EXPECT_EQ(clip_a.num_frames, clip_b.num_frames);
-  const KinematicsOptions options = {.rotations = true, .tips = true};
-  const WorldPoses poses_a = forward_kinematics(a.skeleton, clip_a, options);
-  const WorldPoses poses_b = forward_kinematics(b.skeleton, clip_b, options);
-  std::map<std::string, std::size_t> index_of;
-  for (std::size_t j = 0; j < b.skeleton.joints.size(); ++j) {
-    index_of.try_emplace(b.skeleton.joints[j].name, j);
-  }
-  const auto first_tips_a = first_tips_of_joints(a.skeleton);
-  const auto first_tips_b = first_tips_of_joints(b.skeleton);
-  const double size = world_size(a);
-  const auto at = [](const Array<double>& numbers, std::size_t index) {
-    return Vec3(numbers.data() + index * 3);
-  };
-  const auto turn = [](const PoseArrays& poses, std::size_t index) {
-    const double* q = poses.rotations.data() + index * 4;
-    return Quat(q[0], q[1], q[2], q[3]);
-  };
-  const auto keep = [](double& largest, double value) {
-    if (!(value <= largest)) largest = value;  // NaN, too
-  };
-  WorldDifference difference;
-  for (std::size_t j = 0; j < a.skeleton.joints.size(); ++j) {
-    const auto found = index_of.find(a.skeleton.joints[j].name);
-    if (found == index_of.end()) continue;
-    ++difference.num_joints;
-    const std::size_t num_tips_a = a.skeleton.joints[j].tips.size();
-    const bool has_same_tips = num_tips_a == b.skeleton.joints[found->second].tips.size();
-    for (std::size_t f = 0; f < std::min(poses_a.num_frames, poses_b.num_frames); ++f) {
-      const std::size_t i = f * poses_a.num_joints + j;
-      const std::size_t k = f * poses_b.num_joints + found->second;
-      keep(difference.position,
-           (at(poses_a.positions, i) - at(poses_b.positions, k)).norm() / size);
-      keep(difference.rotation, angle_between(turn(poses_a, i), turn(poses_b, k)));
-      for (std::size_t t = 0; t < num_tips_a && has_same_tips; ++t) {
-        const Vec3 tip_a = at(poses_a.tips, f * poses_a.num_tips + first_tips_a[j] + t);
-        const Vec3 tip_b = at(poses_b.tips, f * poses_b.num_tips + first_tips_b[found->second] + t);
-        keep(difference.tip, (tip_a - tip_b).norm() / size);
-      }
-    }
-  }
-  return difference;
-}
-
-bool same_bits(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
-
-bool same_skeleton(const Skeleton& a, const Skeleton& b) {
-  const auto same_dof = [](const DegreeOfFreedom& x, const DegreeOfFreedom& y) {
-    return x.kind == y.kind && x.axis == y.axis && x.coordinate == y.coordinate &&
-           x.rest == y.rest && x.lower == y.lower && x.upper == y.upper &&
-           x.max_speed == y.max_speed;
-  };
-  const auto same_tip = [](const Tip& x, const Tip& y) {
-    return x.name == y.name && x.offset == y.offset;
-  };
-  const auto same_joint = [&](const Joint& x, const Joint& y) {
-    return x.name == y.name && x.parent == y.parent && x.offset == y.offset &&
-           x.rest_rotation.coeffs() == y.rest_rotation.coeffs() && x.free_rest == y.free_rest &&
-           std::equal(x.dofs.begin(), x.dofs.end(), y.dofs.begin(), y.dofs.end(), same_dof) &&
-           std::equal(x.tips.begin(), x.tips.end(), y.tips.begin(), y.tips.end(), same_tip);
-  };
-  const auto same_column = [](const Coordinate& x, const Coordinate& y) {
-    return x.joint == y.joint && x.channel == y.channel;
-  };
-  return a.name == b.name && a.angle_unit == b.angle_unit &&
-         a.metres_per_unit == b.metres_per_unit &&
-         std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
-                    same_joint) &&
-         std::equal(a.coordinates.begin(), a.coordinates.end(), b.coordinates.begin(),
-                    b.coordinates.end(), same_column);
-}
-
-ExpectUnchanged::ExpectUnchanged(const Motion& motion)
-    : motion_(motion),
-      skeleton_(motion.skeleton),
-      values_(motion.clip.values.begin(), motion.clip.values.end()),
-      timeline_(motion.clip.timeline) {}
-
-ExpectUnchanged::~ExpectUnchanged() {
-  EXPECT_TRUE(same_skeleton(skeleton_, motion_.skeleton)) << "the input's skeleton changed";
-  EXPECT_TRUE(same_bits(values_, motion_.clip.values)) << "the input's values changed";
-  EXPECT_EQ(timeline_, motion_.clip.timeline);
-}
-
-std::size_t count_code(const Diagnostics& diagnostics, std::string_view code) {
-  return static_cast<std::size_t>(
-      std::count_if(diagnostics.items().begin(), diagnostics.items().end(),
-                    [code](const Diagnostic& item) { return item.code == code; }));
 }
 
 }  // namespace kinefile::test

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kinefile/diagnostics.hpp"
 #include "kinefile/motion.hpp"
+#include "support/motion_checks.hpp"
 
 namespace kinefile::test {
 
@@ -26,6 +26,8 @@ struct RandomTraits {
   bool unread_columns = true;
   bool several_roots = true;
   bool without_frames = false;
+  bool whole_rotations = true;  ///< balls and rotation vectors
+  bool gains = true;            ///< values that are not their columns' numbers
 };
 
 /// A tree of one to nine joints with 14 frames, smooth but for its size. Names are j0, j1, ...
@@ -37,7 +39,8 @@ Motion random_motion(RandomSource& random, const RandomTraits& traits);
 /// children sit; no rest rotations but the root's.
 Motion random_bones(RandomSource& random);
 
-/// A free root and joints of one degree of freedom, with rest rotations; radians and metres.
+/// A free root and joints of one degree of freedom, with rest rotations; radians and metres. Some
+/// joints follow others (mimic joints) and have a column beside, which repeats their values.
 Motion random_robot(RandomSource& random);
 
 /// A figure whose halves are each other's image in the plane x = 0, called Left and Right.
@@ -53,42 +56,5 @@ Quat random_rotation(RandomSource& random);
 double random_number(RandomSource& random, double low, double high);
 bool random_chance(RandomSource& random, double probability);
 std::size_t random_below(RandomSource& random, std::size_t bound);
-
-/// How far two motions are apart in the world, frame by frame; joints by their names.
-struct WorldDifference {
-  double position = 0;  ///< of joints; of the size of the first motion
-  double tip = 0;       ///< of tips of joints that have as many; of its size, too
-  double rotation = 0;  ///< radians
-  std::size_t num_joints = 0;
-};
-
-/// \param rest  compares the rest poses instead
-WorldDifference world_difference(const Motion& a, const Motion& b, bool rest = false);
-
-/// The largest coordinate of a motion in the world, and 1 at least.
-double world_size(const Motion& motion);
-
-bool same_bits(std::span<const double> a, std::span<const double> b);
-
-/// Whether two skeletons agree in every number and name, bit for bit.
-bool same_skeleton(const Skeleton& a, const Skeleton& b);
-
-/// Expects at its end that a motion is what it was at its beginning.
-class ExpectUnchanged {
- public:
-  explicit ExpectUnchanged(const Motion& motion);
-  ~ExpectUnchanged();
-  ExpectUnchanged(const ExpectUnchanged&) = delete;
-  ExpectUnchanged& operator=(const ExpectUnchanged&) = delete;
-
- private:
-  const Motion& motion_;
-  Skeleton skeleton_;
-  std::vector<double> values_;
-  Timeline timeline_;
-};
-
-/// How many diagnostics have a code.
-std::size_t count_code(const Diagnostics& diagnostics, std::string_view code);
 
 }  // namespace kinefile::test

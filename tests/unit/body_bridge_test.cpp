@@ -70,6 +70,67 @@ TEST(BodyBridge, JointsMoveByKinematicsBehindTheRoot) {
   EXPECT_NEAR((position(poses, 2) - Vec3(1.5, 3.25, 3)).norm(), 0, 1e-15);
 }
 
+/// The robot, with a second hinge that mimics the first: half as far, the other way around, 0.1
+/// further. It has the id 2.
+Skeleton robot_with_mimic() {
+  Skeleton skeleton = robot();
+  Joint mimic;
+  mimic.name = "MIMIC";
+  mimic.parent = 2;
+  mimic.offset = {0, 1, 0};
+  mimic.dofs = {{DofKind::Rotation, Vec3::UnitX(), 7, 0}};
+  mimic.dofs[0].gain = -0.5;
+  mimic.dofs[0].shift = 0.1;
+  skeleton.joints.push_back(mimic);
+  skeleton.coordinates.push_back({3, "q"});
+  return skeleton;
+}
+
+TEST(BodyBridge, AMimicJointFollowsAndHasItsValueInWhatIsWritten) {
+  const BodyMotion body{
+      {root_at(0, 0, 0), component(ComponentKind::Values, kJointDisplacement, 2, {0.4, 0.25})}};
+  Diagnostics diagnostics;
+  auto motion = robot::pose(body, robot_with_mimic(), false, diagnostics);
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG014"}) << "two joints of three";
+  EXPECT_NEAR(motion->clip.row(0)[9], -0.1, 1e-15);
+  motion->clip.mutate()[0][7] = 1;
+  const auto written = robot::project(*motion, robot::BodyForm::Joints, nullptr, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->components[1].num_parts, 3u);
+  EXPECT_EQ(written->components[1].row(0)[2], -0.4);
+  // The links are where the joint follows to, and give the same joints back.
+  const auto links = robot::project(*motion, robot::BodyForm::Links, nullptr, diagnostics);
+  const auto again = robot::pose(*links, robot_with_mimic(), false, diagnostics);
+  ASSERT_TRUE(again);
+  EXPECT_NEAR(again->clip.row(0)[7], 1, 1e-12);
+  EXPECT_NEAR(again->clip.row(0)[9], -0.4, 1e-12);
+}
+
+TEST(BodyBridge, AMimicJointThatWasRecordedElsewhereIsToldAndFollows) {
+  BodyMotion body{{root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 3,
+                                                  {0.4, 0.25, -0.1, 0.8, 0.25, 0.5})}};
+  Diagnostics diagnostics;
+  const auto refused = robot::pose(body, robot_with_mimic(), false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "BRG017");
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(refused.error().message,
+            "the joint of 'MIMIC' follows that of 'HINGE' in the model, but moves by itself in the "
+            "motion: 0.8 away at the most (frame 1); --lenient lets it follow");
+  const auto followed = robot::pose(body, robot_with_mimic(), true, diagnostics);
+  ASSERT_TRUE(followed);
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG017"});
+  EXPECT_NEAR(followed->clip.row(1)[9], -0.3, 1e-15);
+  // What rounding to six digits leaves is no difference.
+  body.components[1].values = {0.4, 0.25, -0.1000005, 0.8, 0.25, -0.2999995};
+  Diagnostics none;
+  const auto rounded = robot::pose(body, robot_with_mimic(), false, none);
+  ASSERT_TRUE(rounded);
+  EXPECT_TRUE(none.items().empty());
+  EXPECT_EQ(rounded->clip.row(0)[9], -0.1000005) << "as it was recorded";
+}
+
 TEST(BodyBridge, LongerJointsAreCutAndShorterOnesRefusedOrHeld) {
   BodyMotion body{{root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 2,
                                                   {0.1, 0, 0.2, 0, 0.3, 0})}};

@@ -33,8 +33,28 @@ std::size_t random_column(Random& random, Skeleton& skeleton, std::size_t joint,
   return shared.back();
 }
 
-/// A tree with everything that a skeleton may have: free joints, rest rotations, oblique axes,
-/// tails, shared columns, several roots, tips.
+/// A degree of freedom, some of them with a gain and a shift.
+DegreeOfFreedom random_dof(Random& random, DofKind kind, std::size_t column) {
+  DegreeOfFreedom dof{kind, random_unit_axis(random), column, 0};
+  if (random() % 4 != 0) return dof;
+  dof.gain = uniform(random, -2, 2);
+  dof.shift = uniform(random, -1, 1);
+  return dof;
+}
+
+/// Adds a ball or a rotation vector. Returns false for a joint that gets none.
+bool add_whole_rotation(Random& random, Skeleton& skeleton, std::size_t j, Joint& joint) {
+  if (random() % 3 != 0) return false;
+  const DofKind kind = random() % 2 == 0 ? DofKind::Ball : DofKind::RotationVector;
+  joint.dofs.push_back({kind, Vec3::UnitX(), skeleton.coordinates.size(), 0});
+  for (std::size_t k = 0; k < num_coordinates(joint.dofs.back()); ++k) {
+    skeleton.coordinates.push_back({j, channel_name(kind, k)});
+  }
+  return true;
+}
+
+/// A tree with everything that a skeleton may have: free joints, balls, rotation vectors, rest
+/// rotations, oblique axes, tails, shared columns, gains and shifts, several roots, tips.
 Skeleton random_skeleton(Random& random) {
   Skeleton skeleton;
   skeleton.angle_unit = random() % 2 == 0 ? AngleUnit::Degrees : AngleUnit::Radians;
@@ -55,10 +75,13 @@ Skeleton random_skeleton(Random& random) {
     } else {
       const std::array<DofKind, 4> kinds = {DofKind::Translation, DofKind::Rotation,
                                             DofKind::TailTranslation, DofKind::TailScale};
+      const bool is_whole = add_whole_rotation(random, skeleton, j, joint);
       for (const DofKind kind : kinds) {
+        if (is_whole && kind == DofKind::Translation) continue;
+        if (is_whole && kind == DofKind::Rotation) continue;
         for (std::size_t n = random() % 4; n > 0; --n) {
-          joint.dofs.push_back(
-              {kind, random_unit_axis(random), random_column(random, skeleton, j, shared), 0});
+          const std::size_t column = random_column(random, skeleton, j, shared);
+          joint.dofs.push_back(random_dof(random, kind, column));
         }
       }
     }
@@ -159,6 +182,32 @@ TEST(Kinematics, TheJacobianIsTheDerivative) {
     }
   }
   EXPECT_GT(num_columns, 5000u);
+}
+
+TEST(Kinematics, ARotationVectorTurnsAboutItself) {
+  Random random(25);
+  for (const AngleUnit unit : {AngleUnit::Degrees, AngleUnit::Radians}) {
+    Skeleton skeleton;
+    skeleton.angle_unit = unit;
+    skeleton.joints.resize(1);
+    skeleton.joints[0].dofs = {{DofKind::RotationVector, Vec3::UnitX(), 0, 0}};
+    for (int k = 0; k < 3; ++k) skeleton.coordinates.push_back({0, "v"});
+    ASSERT_TRUE(validate(skeleton));
+    for (const double size : {0.0, 1e-300, 1e-9, 1e-5, 1.0, 3.0, 40.0}) {
+      const Vec3 vector = size / radians_per(unit) * random_vector(random);
+      const double angle = vector.norm() * radians_per(unit);
+      const Mat3 expected =
+          Eigen::AngleAxisd(angle, vector.norm() > 0 ? Vec3(vector.normalized()) : Vec3::UnitX())
+              .toRotationMatrix();
+      const std::vector<double> row = {vector[0], vector[1], vector[2]};
+      const WorldPoses poses = forward_kinematics(skeleton, clip_of(row, 3), {.rotations = true});
+      const double* q = poses.rotations.data();
+      EXPECT_LT((Quat(q[0], q[1], q[2], q[3]).toRotationMatrix() - expected).norm(), 2e-14) << size;
+      std::vector<JointFrame> frames(1);
+      Kinematics(skeleton).place_row(row, frames);
+      EXPECT_LT((frames[0].rotation - expected).norm(), 2e-14) << size;
+    }
+  }
 }
 
 TEST(Kinematics, AQuaternionHasNoDerivativeAlongItself) {

@@ -34,6 +34,21 @@ TEST(JointNames, AStarStandsForAnyCharacters) {
   EXPECT_EQ(names.matching("rightarm"), Indices{2});
 }
 
+TEST(JointNames, AJointNameIsFoundWhereNoNameIs) {
+  Skeleton skeleton = named({"Base", "Knee_link", "hip"});
+  skeleton.joints[1].joint_name = "knee";
+  skeleton.joints[2].joint_name = "Base";
+  const JointNames names(skeleton);
+  EXPECT_EQ(names.find("knee"), Indices{1});
+  EXPECT_EQ(names.find("KNEE"), Indices{1});
+  EXPECT_EQ(names.find("Base"), Indices{0});
+  EXPECT_EQ(names.matching("kn*"), Indices{1});
+  EXPECT_EQ(names.matching("kne*"), Indices{1});
+  EXPECT_EQ(names.find(""), Indices{});
+  // Two skeletons belong together by their names alone.
+  EXPECT_EQ(match_joints(named({"knee"}), skeleton).size(), 0u);
+}
+
 TEST(JointNames, JointsAreMatchedOnceEachInTheirOrder) {
   const auto pairs =
       match_joints(named({"a", "B", "a", "c", "C", "a"}), named({"b", "A", "A", "c", "x"}));

@@ -48,6 +48,19 @@ TEST(Limits, SpeedIsTheWayFromFrameToFrame) {
   EXPECT_EQ(breaches[0].limit, 2);
 }
 
+TEST(Limits, BoundTheValueThatAJointMakesOfItsColumn) {
+  Motion motion = hinge({0, 0.05, 0.1});
+  motion.skeleton.joints[0].dofs[0].gain = -3;
+  motion.skeleton.joints[0].dofs[0].shift = -0.75;
+  const auto breaches = find_limit_breaches(motion);
+  ASSERT_EQ(breaches.size(), 1u);
+  EXPECT_EQ(breaches[0].kind, LimitBreach::Kind::Below);
+  EXPECT_NEAR(breaches[0].worst, -1.05, 1e-12);
+  EXPECT_EQ(breaches[0].limit, -1);
+  motion.skeleton.joints[0].dofs[0].max_speed = 1.25;  // of 1.5 that it has
+  EXPECT_EQ(find_limit_breaches(motion).size(), 2u);
+}
+
 TEST(Limits, ValuesThatAreNoNumbersArePassedOver) {
   EXPECT_TRUE(find_limit_breaches(hinge({0, std::nan(""), 0})).empty());
 }

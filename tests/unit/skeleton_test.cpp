@@ -90,6 +90,65 @@ TEST(Skeleton, AFreeJointMovesInNoOtherWay) {
   EXPECT_EQ(fault_of(skeleton), "joint 'base' is free and moves in another way, too");
 }
 
+TEST(Skeleton, AJointThatTurnsInAnyWayTurnsInNoOtherWay) {
+  for (const DofKind kind : {DofKind::Ball, DofKind::RotationVector}) {
+    Skeleton skeleton = small_robot();
+    skeleton.joints[0].dofs = {{kind, Vec3::UnitX(), 0, 0}};
+    EXPECT_EQ(fault_of(skeleton), "");
+    EXPECT_EQ(num_dofs(skeleton.joints[0]), 3u);
+    skeleton.joints[0].dofs.push_back({DofKind::Rotation, Vec3::UnitX(), 5, 0});
+    EXPECT_EQ(fault_of(skeleton), "joint 'base' turns in any way and in another way, too");
+    skeleton.joints[0].dofs = {{kind, Vec3::UnitX(), 6, 0}};
+    EXPECT_EQ(fault_of(skeleton), "joint 'base' reads coordinate 6 of 8");
+    skeleton.joints[0].dofs = {{kind, Vec3::UnitX(), 0, 0}};
+    skeleton.joints[0].dofs[0].gain = 2;
+    EXPECT_EQ(fault_of(skeleton), "joint 'base' has a gain or a shift of several columns");
+  }
+}
+
+TEST(Skeleton, GainsAreFiniteAndReadersOfAColumnRestAlike) {
+  Skeleton skeleton = small_robot();
+  skeleton.joints[1].dofs[0].gain = std::nan("");
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a gain or a shift that is not finite");
+  skeleton = small_robot();
+  Joint mimic = skeleton.joints[1];
+  mimic.name = "mimic";
+  mimic.dofs[0].gain = -2;
+  mimic.dofs[0].shift = 1;
+  skeleton.joints.push_back(mimic);
+  EXPECT_EQ(fault_of(skeleton), "");
+  skeleton.joints[2].dofs[0].rest = 0.25;
+  EXPECT_EQ(fault_of(skeleton),
+            "joint 'hinge' rests at 0.5 in column 7, another one of its readers at 0.25");
+}
+
+TEST(Skeleton, ValuesAreMadeOfColumnsAndBack) {
+  DegreeOfFreedom dof;
+  EXPECT_TRUE(std::signbit(value_of(dof, -0.0)));
+  EXPECT_TRUE(std::signbit(column_of(dof, -0.0)));
+  dof.gain = -4;
+  dof.shift = 1;
+  EXPECT_EQ(value_of(dof, 2), -7);
+  EXPECT_EQ(column_of(dof, -7), 2);
+  dof.gain = 0;
+  dof.rest = 3;
+  EXPECT_EQ(value_of(dof, 2), 1);
+  EXPECT_EQ(column_of(dof, 7), 3);
+}
+
+TEST(Skeleton, TheJointThatAColumnBelongsToLeadsIt) {
+  Skeleton skeleton = small_robot();
+  Joint mimic = skeleton.joints[1];
+  mimic.name = "mimic";
+  skeleton.joints.push_back(mimic);
+  skeleton.coordinates[7].joint = 2;
+  EXPECT_EQ(leaders_of_columns(skeleton), (std::vector<std::size_t>{0, 0, 0, 0, 0, 0, 0, 2}));
+  skeleton.coordinates[7].joint = 0;  // which does not read it
+  EXPECT_EQ(leaders_of_columns(skeleton)[7], 1u);
+  skeleton.coordinates.push_back({1, "unread"});
+  EXPECT_EQ(leaders_of_columns(skeleton)[8], kNoParent);
+}
+
 TEST(Skeleton, RestCoordinates) {
   EXPECT_EQ(rest_coordinates(small_robot()), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0.5}));
 }

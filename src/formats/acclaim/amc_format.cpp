@@ -129,7 +129,7 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
 
   Motion motion;
   motion.skeleton = std::move(found->skeleton);
-  if (header.angle) motion.skeleton.angle_unit = *header.angle;
+  if (header.angle) tell_angles_in(*header.angle, motion.skeleton);
   const std::vector<BoneColumns> bones = columns_of_bones(motion.skeleton);
   AmcBody body = parse_amc_body(parser, bones, found->name);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());

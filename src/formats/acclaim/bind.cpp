@@ -38,22 +38,38 @@ Mat3 rotation_about(std::size_t axis, double angle, AngleUnit unit) {
 
 Vec3 unit_vector(DofWord word) { return Vec3::Unit(static_cast<Eigen::Index>(axis_of(word))); }
 
+/// What a joint's words mean.
+struct WordAxes {
+  Mat3 translations = Mat3::Identity();
+  Mat3 rotations = Mat3::Identity();
+  Vec3 along = Vec3::Zero();  ///< its bone
+};
+
+DegreeOfFreedom dof_of(DofWord word, std::size_t column, const WordAxes& axes) {
+  if (is_rotation(word)) return {DofKind::Rotation, axes.rotations * unit_vector(word), column, 0};
+  if (!is_translation(word)) return {DofKind::TailTranslation, axes.along, column, 0};
+  return {DofKind::Translation, axes.translations * unit_vector(word), column, 0};
+}
+
 /// The columns of a joint, one a word, and its degrees of freedom in the order of multiplication:
 /// translations first, then the rotations, of which the first word's is the innermost.
+/// \param limits  a word each; words behind them have none
 void add_dofs(Skeleton& skeleton, std::size_t joint_index, const std::vector<DofWord>& words,
-              const Mat3& translation_axes, const Mat3& rotation_axes, const Vec3& along) {
+              const std::vector<Limit>& limits, const WordAxes& axes) {
   Joint& joint = skeleton.joints[joint_index];
   std::vector<DegreeOfFreedom> rotations;
-  for (const DofWord word : words) {
+  for (std::size_t w = 0; w < words.size(); ++w) {
     const std::size_t column = skeleton.coordinates.size();
-    skeleton.coordinates.push_back({joint_index, std::string(spelling(word))});
-    if (is_rotation(word)) {
-      rotations.insert(rotations.begin(),
-                       {DofKind::Rotation, rotation_axes * unit_vector(word), column, 0});
-    } else if (is_translation(word)) {
-      joint.dofs.push_back({DofKind::Translation, translation_axes * unit_vector(word), column, 0});
+    skeleton.coordinates.push_back({joint_index, std::string(spelling(words[w]))});
+    DegreeOfFreedom dof = dof_of(words[w], column, axes);
+    if (w < limits.size()) {
+      dof.lower = std::min(limits[w].low, limits[w].high);
+      dof.upper = std::max(limits[w].low, limits[w].high);
+    }
+    if (is_rotation(words[w])) {
+      rotations.insert(rotations.begin(), dof);
     } else {
-      joint.dofs.push_back({DofKind::TailTranslation, along, column, 0});
+      joint.dofs.push_back(dof);
     }
   }
   std::stable_partition(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
@@ -142,7 +158,7 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
   skeleton.metres_per_unit = options.metres_per_quotient / file.length.value_or(1.0);
   skeleton.joints.push_back(bind_root(file.root, unit));
   const Mat3 root_axes = skeleton.joints[0].rest_rotation.toRotationMatrix().transpose();
-  add_dofs(skeleton, 0, file.root.order, root_axes, Mat3::Identity(), Vec3::Zero());
+  add_dofs(skeleton, 0, file.root.order, {}, {root_axes, Mat3::Identity(), Vec3::Zero()});
 
   std::vector<std::size_t> joint_of_bone(file.bones.size());
   for (const std::size_t b : parents_first(file)) {
@@ -160,10 +176,24 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
     const Mat3 axes = rotation_of(bone.axis, unit);
     const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();
     const bool is_forced = options.forces_3dof && !bone.dofs.empty();
-    add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, axes, axes, along);
+    add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, bone.limits,
+             {axes, axes, along});
     if (is_forced) order_forced(skeleton.joints[index], skeleton);
   }
   return skeleton;
+}
+
+void tell_angles_in(AngleUnit unit, Skeleton& skeleton) {
+  const double factor = radians_per(skeleton.angle_unit) / radians_per(unit);
+  if (skeleton.angle_unit == unit) return;
+  skeleton.angle_unit = unit;
+  for (Joint& joint : skeleton.joints) {
+    for (DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Rotation) continue;
+      dof.lower *= factor;
+      dof.upper *= factor;
+    }
+  }
 }
 
 std::vector<BoneColumns> columns_of_bones(const Skeleton& skeleton) {

@@ -29,8 +29,12 @@ std::vector<std::size_t> parents_first(const AsfFile& file);
 
 /// Gives a skeleton its meaning. Joint 0 is the root; the joints behind it are the bones in the
 /// order of `parents_first`. A bone's joint is where it starts, its tip where it ends; it keeps the
-/// `Bone`, and the first one the `Root`.
+/// `Bone`, and the first one the `Root`. Limits belong to the words of `dof`, one after the other.
 Skeleton bind(const AsfFile& file, const BindOptions& options);
+
+/// Takes the angles of the motion to be in a unit that is not the skeleton file's; limits become
+/// the same ones in that.
+void tell_angles_in(AngleUnit unit, Skeleton& skeleton);
 
 /// The columns of the bones that have any.
 std::vector<BoneColumns> columns_of_bones(const Skeleton& skeleton);

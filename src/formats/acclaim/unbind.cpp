@@ -78,8 +78,13 @@ Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& join
         lengths.push_back(&dof);
         break;
       case DofKind::Free:
+      case DofKind::Ball:
+      case DofKind::RotationVector:
       case DofKind::TailScale:
-        return fail(not_expressible(joint, "moves freely or is scaled"));
+        return fail(not_expressible(joint, "moves freely, turns in any way or is scaled"));
+    }
+    if (!is_plain(dof)) {
+      return fail(not_expressible(joint, "follows a column with a gain or a shift"));
     }
     if (dof.rest != 0) return fail(not_expressible(joint, "rests at another value than 0"));
   }

@@ -25,6 +25,8 @@ ChannelKind channel_kind(DofKind kind) {
     case DofKind::TailScale:
       return ChannelKind::Scale;
     case DofKind::Free:
+    case DofKind::Ball:
+    case DofKind::RotationVector:
     case DofKind::TailTranslation:
       break;
   }
@@ -71,8 +73,9 @@ std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>&
       const auto axis = coordinate_axis(dof.axis);
       Column& column = columns[dof.coordinate];
       if (kind == ChannelKind::Unknown) {
-        return not_expressible(joint, "moves freely or along its bone");
+        return not_expressible(joint, "moves freely, turns in any way or moves along its bone");
       }
+      if (!is_plain(dof)) return not_expressible(joint, "follows a column with a gain or a shift");
       if (!axis) return not_expressible(joint, "moves about an axis other than x, y and z");
       if (column.is_read || skeleton.coordinates[dof.coordinate].joint != j) {
         return not_expressible(joint, "shares a column with another movement");

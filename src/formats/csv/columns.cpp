@@ -132,19 +132,21 @@ std::vector<Group> grouped(const TableReader& reader, const std::vector<text::Cs
 
 /// The ids of a robot's joints by their names, and by the names of their links; those that no joint
 /// has by names such as "joint3".
-std::map<std::string, std::size_t> ids_of(const Document& robot) {
-  const Skeleton& skeleton = skeleton_of(robot);
+std::map<std::string, std::size_t> ids_of(const Skeleton& skeleton) {
+  const auto columns = value_columns(skeleton);
   std::map<std::string, std::size_t> ids;
-  for (const Joint& joint : skeleton.joints) {
-    if (joint.dofs.size() != 1 || joint.dofs[0].coordinate < kRootColumns) continue;
-    const std::size_t id = joint.dofs[0].coordinate - kRootColumns;
+  std::vector<bool> has_joint(skeleton.coordinates.size(), false);
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (!columns[j] || *columns[j] < kRootColumns) continue;
+    const Joint& joint = skeleton.joints[j];
+    const std::size_t id = *columns[j] - kRootColumns;
+    has_joint[*columns[j]] = true;
     ids[joint.name] = id;
     if (!joint.joint_name.empty()) ids.emplace(joint.joint_name, id);
   }
-  const std::vector<std::size_t> num_readers = num_readers_of_columns(skeleton);
-  for (std::size_t column = kRootColumns; column < num_readers.size(); ++column) {
+  for (std::size_t column = kRootColumns; column < has_joint.size(); ++column) {
     const std::size_t id = column - kRootColumns;
-    if (num_readers[column] == 0) ids.emplace(fmt::format("joint{}", id), id);
+    if (!has_joint[column]) ids.emplace(fmt::format("joint{}", id), id);
   }
   return ids;
 }
@@ -152,7 +154,7 @@ std::map<std::string, std::size_t> ids_of(const Document& robot) {
 /// Brings columns of joints into the order of the robot's joint ids.
 void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& header,
                   Group& group) {
-  const std::map<std::string, std::size_t> ids = ids_of(*reader.options.skeleton);
+  const std::map<std::string, std::size_t> ids = ids_of(skeleton_of(*reader.options.skeleton));
   std::vector<std::size_t> ordered(
       skeleton_of(*reader.options.skeleton).coordinates.size() - kRootColumns, kNoColumn);
   for (const std::size_t column : group.columns) {

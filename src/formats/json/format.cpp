@@ -21,6 +21,10 @@ std::string_view dof_kind_name(DofKind kind) {
       return "translation";
     case DofKind::Free:
       return "free";
+    case DofKind::Ball:
+      return "ball";
+    case DofKind::RotationVector:
+      return "rotation_vector";
     case DofKind::TailTranslation:
       return "tail_translation";
     case DofKind::TailScale:
@@ -36,6 +40,12 @@ void print_dof(text::Printer& printer, const DegreeOfFreedom& dof) {
   print_array(printer, dof.axis);
   printer.print(fmt::format(",\"column\":{},\"rest\":", dof.coordinate));
   print_number(printer, dof.rest);
+  if (!is_plain(dof)) {
+    printer.print(",\"gain\":");
+    print_number(printer, dof.gain);
+    printer.print(",\"shift\":");
+    print_number(printer, dof.shift);
+  }
   printer.print('}');
 }
 

@@ -20,6 +20,7 @@ inline constexpr char kNotUnitLength[] = "URD009";
 inline constexpr char kTooManyLinks[] = "URD010";
 inline constexpr char kIgnored[] = "URD011";
 inline constexpr char kNoLimit[] = "URD012";
+inline constexpr char kBadMimic[] = "URD013";
 
 /// Joint ids are counted here, so that none is too large and none stands twice.
 inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,

@@ -37,6 +37,7 @@ class Parser {
     for_each(*root, "link", [this](const XMLElement& element) { read_link(element); });
     for_each(*root, "joint", [this](const XMLElement& element) { read_joint(element); });
     if (is_good_) find_root(*root);
+    if (is_good_) follow_mimics();
     if (!is_good_) return std::nullopt;
     return std::move(robot_);
   }
@@ -46,6 +47,16 @@ class Parser {
   struct Known {
     const XMLElement* element = nullptr;
     bool is_child = false;
+  };
+
+  /// A joint that follows another, as the file has it.
+  struct Mimic {
+    std::size_t link = 0;
+    std::string joint;      ///< the name of the other
+    std::size_t other = 0;  ///< the link that hangs on it
+    double multiplier = 1;
+    double offset = 0;
+    robot_file::Spot spot;
   };
 
   template <class Function>
@@ -120,11 +131,82 @@ class Parser {
     read_origin(element, link);
     read_axis(element, link);
     read_limit(element, link);
-    if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
-      warn(*mimic, code::kIgnored,
-           "<mimic> is ignored: the joint reads values of its own (as in Choreonoid)");
-    }
+    if (const XMLElement* mimic = element.FirstChildElement("mimic")) read_mimic(*mimic, link);
     robot_.links.push_back(std::move(link));
+  }
+
+  /// \param link  the one that is read, which will be the next
+  void read_mimic(const XMLElement& element, const Link& link) {
+    if (link.type == JointType::Fixed) {
+      warn(element, code::kIgnored,
+           fmt::format("<mimic> is ignored: the joint {} does not move",
+                       text::quoted(link.joint_name)));
+      return;
+    }
+    Mimic mimic;
+    mimic.link = robot_.links.size();
+    mimic.joint = take(elements_.word(element, "joint"));
+    mimic.multiplier = take(elements_.number(element, "multiplier", 1));
+    mimic.offset = take(elements_.number(element, "offset", 0));
+    mimic.spot = elements_.spot(element);
+    mimics_.push_back(std::move(mimic));
+  }
+
+  /// Finds the joint that each chain of mimics ends in.
+  void follow_mimics() {
+    std::unordered_map<std::string_view, std::size_t> link_of_joint;
+    for (std::size_t l = 0; l < robot_.links.size(); ++l) {
+      link_of_joint.emplace(robot_.links[l].joint_name, l);
+    }
+    std::unordered_map<std::size_t, const Mimic*> mimic_of_link;
+    for (Mimic& mimic : mimics_) {
+      const auto found = link_of_joint.find(mimic.joint);
+      if (found == link_of_joint.end()) {
+        error(mimic.spot, code::kBadMimic,
+              fmt::format("expected the name of a joint to mimic, found {}, which is none",
+                          text::quoted(mimic.joint)));
+      } else {
+        mimic.other = found->second;
+        mimic_of_link.emplace(mimic.link, &mimic);
+      }
+    }
+    for (const Mimic& mimic : mimics_) {
+      if (is_good_) follow_mimic(mimic, mimic_of_link);
+    }
+  }
+
+  void follow_mimic(const Mimic& mimic,
+                    const std::unordered_map<std::size_t, const Mimic*>& mimic_of_link) {
+    robot_file::Follows follows{mimic.other, mimic.multiplier, mimic.offset};
+    for (std::size_t step = 0; step <= mimics_.size(); ++step) {
+      const auto next = mimic_of_link.find(follows.link);
+      if (next == mimic_of_link.end()) {
+        end_mimic(mimic, follows);
+        return;
+      }
+      follows = {next->second->other, follows.gain * next->second->multiplier,
+                 follows.gain * next->second->offset + follows.shift};
+    }
+    error(mimic.spot, code::kBadMimic,
+          fmt::format("expected a joint that follows none in the end, found that {} mimics itself",
+                      text::quoted(robot_.links[mimic.link].joint_name)));
+  }
+
+  /// Lets a joint follow the one that its chain ends in, if that moves.
+  void end_mimic(const Mimic& mimic, const robot_file::Follows& follows) {
+    const Link& leader = robot_.links[follows.link];
+    if (!std::isfinite(follows.gain) || !std::isfinite(follows.shift)) {
+      error(mimic.spot, code::kBadMimic,
+            "expected multipliers whose product is finite, found others");
+    } else if (leader.type == JointType::Fixed) {
+      elements_.report(Severity::Warning, mimic.spot, code::kIgnored,
+                       fmt::format("<mimic> is ignored: the joint {} does not move, so {} reads "
+                                   "values of its own",
+                                   text::quoted(leader.joint_name),
+                                   text::quoted(robot_.links[mimic.link].joint_name)));
+    } else {
+      robot_.links[mimic.link].follows = follows;
+    }
   }
 
   /// The type of a joint, and its id, which those that move have in the order of the file.
@@ -211,6 +293,7 @@ class Parser {
   robot_file::Robot robot_;
   std::unordered_map<std::string, Known> links_;
   std::vector<std::string> names_;  ///< of links, in the order of the file
+  std::vector<Mimic> mimics_;
   std::size_t num_ids_ = 0;
   bool is_good_ = true;
 };

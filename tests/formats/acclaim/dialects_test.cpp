@@ -8,6 +8,7 @@
 #include "formats/acclaim/arm.hpp"
 #include "formats/acclaim/kept.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/limits.hpp"
 
 namespace kinefile::test {
 namespace {
@@ -161,6 +162,35 @@ TEST(AcclaimDialects, LimitsMayBeInfiniteOrMissing) {
   EXPECT_EQ(limits[1].high, 2.5);
   EXPECT_EQ(codes_of(read_acclaim("asf", asf_with("axis 0 0 0 XYZ\ndof rx\n")).diagnostics),
             std::vector<std::string>{"ASF019"});
+}
+
+TEST(AcclaimDialects, LimitsBelongToTheWordsOfDofOneAfterTheOther) {
+  const std::string asf =
+      asf_with("axis 0 0 0 XYZ\ndof ry tx rx\nlimits (-inf 20)\n(-1 1)\n(30 -7)\n");
+  const std::string amc =
+      ":DEGREES\n1\nroot 0 0 0 0 0 0\nb 25 0 -8\n2\nroot 0 0 0 0 0 0\nb 0 2 0\n";
+  const Motion motion = amc_motion(amc, asf);
+  const auto breaches = find_limit_breaches(motion);
+  ASSERT_EQ(breaches.size(), 3u);
+  const auto channel = [&](const LimitBreach& breach) {
+    const DegreeOfFreedom& dof = motion.skeleton.joints[breach.joint].dofs[breach.dof];
+    return motion.skeleton.coordinates[dof.coordinate].channel;
+  };
+  EXPECT_EQ(channel(breaches[0]), "tx");
+  EXPECT_EQ(breaches[0].worst_frame, 1u);
+  EXPECT_EQ(channel(breaches[1]), "rx");
+  EXPECT_EQ(breaches[1].limit, -7);
+  EXPECT_EQ(channel(breaches[2]), "ry");
+  EXPECT_EQ(breaches[2].limit, 20);
+}
+
+TEST(AcclaimDialects, LimitsAreInTheUnitOfTheSkeletonFile) {
+  const std::string units = "length 0.45\nangle rad\n";
+  const std::string asf = asf_with("axis 0 0 0 XYZ\ndof rx\nlimits (-1 0.5)\n",
+                                   "order TX TY TZ RX RY RZ\naxis XYZ\n", units);
+  const Motion motion = amc_motion(":DEGREES\n1\nroot 0 0 0 0 0 0\nb 29\n", asf);
+  EXPECT_NEAR(motion.skeleton.joints[1].dofs[0].upper, 0.5 / kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(motion.skeleton.joints[1].dofs[0].lower, -1 / kRadiansPerDegree, 1e-12);
 }
 
 TEST(AcclaimDialects, ParentsMayComeBehindTheirChildrenAndTwice) {

@@ -60,6 +60,62 @@ TEST(Urdf, LimitsAreThoseOfTheTypeAndTheAxisIsXByDefault) {
   EXPECT_EQ(c.max_speed, 3);
 }
 
+std::string mimicking(const std::string& joint, const std::string& numbers) {
+  return "<limit velocity=\"1\" effort=\"1\"/><mimic joint=\"to_" + joint + "\" " + numbers + "/>";
+}
+
+TEST(Urdf, AMimicJointFollowsTheOneThatItsChainEndsIn) {
+  const std::string names =
+      "<link name=\"A\"/><link name=\"B\"/><link name=\"C\"/><link name=\"D\"/>";
+  const Document document = robot_of(
+      "urdf",
+      urdf_with(names + joint("revolute", "A", "B", mimicking("C", "multiplier='2' offset='0.5'")) +
+                joint("revolute", "A", "C", mimicking("D", "multiplier='-3' offset='1'")) +
+                joint("prismatic", "A", "D")));
+  const Skeleton& skeleton = skeleton_of(document);
+  EXPECT_EQ(names_of(skeleton), "A B C D");
+  EXPECT_EQ(joint_columns_of(skeleton), "B.q C.q D.q");
+  const DegreeOfFreedom& b = skeleton.joints[1].dofs.at(0);
+  const DegreeOfFreedom& c = skeleton.joints[2].dofs.at(0);
+  const DegreeOfFreedom& d = skeleton.joints[3].dofs.at(0);
+  EXPECT_EQ(d.coordinate, 9u);
+  EXPECT_EQ(c.coordinate, 9u);
+  EXPECT_EQ(b.coordinate, 9u);
+  EXPECT_TRUE(is_plain(d));
+  EXPECT_EQ(c.gain, -3);
+  EXPECT_EQ(c.shift, 1);
+  EXPECT_EQ(b.gain, -6);
+  EXPECT_EQ(b.shift, 2.5);
+  EXPECT_EQ(skeleton.joints[1].joint_name, "to_B");
+  const auto following = following_columns(skeleton);
+  ASSERT_EQ(following.size(), 2u);
+  EXPECT_EQ(following[0].column, 7u);
+  EXPECT_EQ(following[0].joint, 1u);
+  EXPECT_EQ(following[1].column, 8u);
+  const auto columns = value_columns(skeleton);
+  EXPECT_EQ(columns[1], std::optional<std::size_t>(7));
+  EXPECT_EQ(columns[3], std::optional<std::size_t>(9));
+  EXPECT_EQ(columns[0], std::nullopt);
+  EXPECT_EQ(rest_coordinates(skeleton), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 2.5, 1, 0}));
+}
+
+TEST(Urdf, AMimicOfAJointThatDoesNotMoveIsIgnored) {
+  const ReadText read =
+      read_robot("urdf", urdf_with("<link name=\"A\"/><link name=\"B\"/><link name=\"C\"/>" +
+                                   joint("fixed", "A", "B", "") +
+                                   joint("revolute", "A", "C", mimicking("B", ""))));
+  EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD011"});
+  EXPECT_EQ(skeleton_of(*read.document).joints[2].dofs.at(0).coordinate, 7u);
+}
+
+TEST(Urdf, MimicsInACircleAreRefused) {
+  const ReadText read =
+      read_robot("urdf", urdf_with("<link name=\"A\"/><link name=\"B\"/><link name=\"C\"/>" +
+                                   joint("revolute", "A", "B", mimicking("C", "")) +
+                                   joint("revolute", "A", "C", mimicking("B", ""))));
+  EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD013"});
+}
+
 TEST(Urdf, AZeroByteIsNoEnd) {
   using namespace std::string_literals;
   const ReadText read = read_robot("urdf", "<robot><link name=\"A\"/></robot>\n\0<robot/>"s);

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Motions as formats have them that know one column for one angle or length, and no more.
+
+#include <algorithm>
+
+#include "kinefile/joint_rotation.hpp"
+#include "kinefile/shape.hpp"
+#include "kinematics/rotation_batches.hpp"
+
+namespace kinefile::shape {
+namespace {
+
+/// Which degree of freedom makes the numbers of a column from the numbers of which one.
+struct Valued {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  DegreeOfFreedom dof;
+};
+
+/// Gives a degree of freedom a column that holds its values.
+void read_values_from(std::size_t column, DegreeOfFreedom& dof, std::vector<Valued>& valued) {
+  valued.push_back({dof.coordinate, column, dof});
+  dof.rest = value_of(dof, dof.rest);
+  dof.coordinate = column;
+  dof.gain = 1;
+  dof.shift = 0;
+}
+
+/// The column of a joint's own where a file has one beside that of the joint which it follows.
+std::optional<std::size_t> own_column_of(const std::vector<FollowingColumn>& following,
+                                         std::size_t joint) {
+  const auto own = std::find_if(following.begin(), following.end(),
+                                [joint](const FollowingColumn& one) { return one.joint == joint; });
+  return own == following.end() ? std::nullopt : std::optional(own->column);
+}
+
+/// A clip with more columns behind the old ones.
+Clip widened(const Clip& clip, std::size_t num_columns) {
+  Clip wider;
+  wider.timeline = clip.timeline;
+  wider.num_frames = clip.num_frames;
+  wider.num_coordinates = num_columns;
+  wider.values.resize(wider.num_frames * num_columns);
+  const Rows rows = wider.mutate();
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const auto row = clip.row(f);
+    std::fill(std::copy(row.begin(), row.end(), rows[f].begin()), rows[f].end(), 0.0);
+  }
+  return wider;
+}
+
+/// A column of a motion without whole rotations: an old one, or an angle of a joint.
+struct AngleSource {
+  std::size_t old_column = kNoParent;
+  std::size_t joint = 0;
+  std::size_t component = 0;
+};
+
+/// The joints that turn as a whole (see `is_whole_rotation`) and do not move freely.
+std::vector<std::size_t> whole_turning_joints(const Skeleton& skeleton) {
+  std::vector<std::size_t> joints;
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    if (!moves_freely(joint) && is_whole_rotation(rotations_of(joint))) joints.push_back(j);
+  }
+  return joints;
+}
+
+/// Columns that only whole rotations of some joints read.
+std::vector<bool> columns_of_whole_rotations(const Skeleton& skeleton,
+                                             const std::vector<std::size_t>& joints) {
+  std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
+  std::vector<bool> is_read(readers.size(), false);
+  for (const std::size_t j : joints) {
+    const DegreeOfFreedom dof = rotations_of(skeleton.joints[j])[0];
+    for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
+      is_read[dof.coordinate + k] = true;
+      --readers[dof.coordinate + k];
+    }
+  }
+  for (std::size_t c = 0; c < readers.size(); ++c) is_read[c] = is_read[c] && readers[c] == 0;
+  return is_read;
+}
+
+/// The columns of the new motion: three angles of a joint stand where its old columns begin.
+std::vector<AngleSource> plan_angles(const Skeleton& skeleton,
+                                     const std::vector<std::size_t>& joints) {
+  const std::vector<bool> is_replaced = columns_of_whole_rotations(skeleton, joints);
+  std::vector<AngleSource> sources;
+  for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
+    for (const std::size_t j : joints) {
+      if (rotations_of(skeleton.joints[j])[0].coordinate != c) continue;
+      for (std::size_t k = 0; k < 3; ++k) sources.push_back({kNoParent, j, k});
+    }
+    if (!is_replaced[c]) sources.push_back({c, 0, 0});
+  }
+  return sources;
+}
+
+/// Writes the angles of a joint's whole rotation.
+/// \param first  the first of its three columns
+void fill_angles(const Motion& motion, std::size_t joint, const EulerAxes& axes, std::size_t first,
+                 const Rows& rows) {
+  const AngleUnit unit = motion.skeleton.angle_unit;
+  const auto rotations = rotations_of(motion.skeleton.joints[joint]);
+  rotation::AngleFinder finder(axes, unit == AngleUnit::Degrees, Vec3::Zero());
+  simd::Quaternions found;
+  simd::Angles angles;
+  for (const FrameBatch& frames : batches_of(motion.clip.num_frames)) {
+    rotations_in_rows(rotations, motion.clip, frames, unit, found);
+    finder.find(found, frames.count, angles);
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) rows[frames.first + i][first + k] = angles[k][i];
+    }
+  }
+}
+
+/// Puts three rotations in the place of a joint's whole one.
+void turn_by_angles(Joint& joint, const RotationOrder& order, std::size_t first) {
+  const auto whole = std::find_if(joint.dofs.begin(), joint.dofs.end(), [](const auto& dof) {
+    return dof.kind == DofKind::Ball || dof.kind == DofKind::RotationVector;
+  });
+  const auto at = joint.dofs.erase(whole);
+  std::vector<DegreeOfFreedom> turns;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(order[k]));
+    turns.push_back({DofKind::Rotation, axis, first + k, 0});
+  }
+  joint.dofs.insert(at, turns.begin(), turns.end());
+}
+
+}  // namespace
+
+Motion with_plain_values(const Motion& motion) {
+  const auto following = following_columns(motion.skeleton);
+  const std::vector<std::size_t> readers = num_readers_of_columns(motion.skeleton);
+  Motion result = motion;
+  Skeleton& skeleton = result.skeleton;
+  std::vector<Valued> valued;
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const auto own = own_column_of(following, j);
+    for (DegreeOfFreedom& dof : skeleton.joints[j].dofs) {
+      if (is_plain(dof) && !own) continue;
+      std::size_t column = own.value_or(dof.coordinate);
+      if (!own && readers[column] > 1) {
+        column = skeleton.coordinates.size();
+        skeleton.coordinates.push_back({j, skeleton.coordinates[dof.coordinate].channel});
+      }
+      read_values_from(column, dof, valued);
+    }
+  }
+  if (valued.empty()) return motion;
+  result.clip = widened(motion.clip, skeleton.coordinates.size());
+  const Rows rows = result.clip.mutate();
+  for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
+    const auto row = motion.clip.row(f);
+    for (const Valued& one : valued) rows[f][one.to] = value_of(one.dof, row[one.from]);
+  }
+  return result;
+}
+
+Motion with_angles(const Motion& motion, const RotationOrder& order) {
+  const std::vector<std::size_t> joints = whole_turning_joints(motion.skeleton);
+  if (joints.empty()) return motion;
+  const std::vector<AngleSource> sources = plan_angles(motion.skeleton, joints);
+  Motion result{motion.skeleton, {}};
+  Skeleton& skeleton = result.skeleton;
+  skeleton.coordinates.clear();
+  std::vector<std::size_t> new_of_old(motion.skeleton.coordinates.size(), 0);
+  std::vector<std::size_t> first_angle(skeleton.joints.size(), kNoParent);
+  for (std::size_t c = 0; c < sources.size(); ++c) {
+    const AngleSource& source = sources[c];
+    if (source.old_column != kNoParent) {
+      new_of_old[source.old_column] = c;
+      skeleton.coordinates.push_back(motion.skeleton.coordinates[source.old_column]);
+      continue;
+    }
+    if (source.component == 0) first_angle[source.joint] = c;
+    skeleton.coordinates.push_back(
+        {source.joint, channel_name(DofKind::Rotation, order[source.component])});
+  }
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    Joint& joint = skeleton.joints[j];
+    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
+    if (first_angle[j] != kNoParent) turn_by_angles(joint, order, first_angle[j]);
+  }
+  result.clip.timeline = motion.clip.timeline;
+  result.clip.num_frames = motion.clip.num_frames;
+  result.clip.num_coordinates = sources.size();
+  result.clip.values.resize(result.clip.num_frames * sources.size());
+  const Rows rows = result.clip.mutate();
+  for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
+    for (std::size_t c = 0; c < sources.size(); ++c) {
+      if (sources[c].old_column != kNoParent)
+        rows[f][c] = motion.clip.row(f)[sources[c].old_column];
+    }
+  }
+  const EulerAxes axes = {Vec3::Unit(static_cast<Eigen::Index>(order[0])),
+                          Vec3::Unit(static_cast<Eigen::Index>(order[1])),
+                          Vec3::Unit(static_cast<Eigen::Index>(order[2]))};
+  for (const std::size_t j : joints) fill_angles(motion, j, axes, first_angle[j], rows);
+  return result;
+}
+
+}  // namespace kinefile::shape

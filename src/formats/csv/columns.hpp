@@ -36,12 +36,20 @@ struct TableReader {
 /// No column: a value that the table does not have and that rests.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
+/// A part without a column whose joint follows another's (see `following_columns`).
+struct FollowingPart {
+  std::size_t part = 0;
+  std::size_t leader = 0;  ///< the part that it follows
+  DegreeOfFreedom dof;
+};
+
 /// The columns of one component, in the component's order.
 struct Group {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
-  std::vector<std::size_t> columns;  ///< `kNoColumn` for values that are 0
+  std::vector<std::size_t> columns;  ///< `kNoColumn` for values that are 0 or follow
   std::vector<std::string> names;    ///< of joints and links, one a part
+  std::vector<FollowingPart> following = {};
 };
 
 /// Finds out what the columns are by the header; joints go to their ids by their names where

@@ -36,7 +36,7 @@ struct Input {
 
 /// How to run a flow. There is an option for each behaviour that the format's document leaves open.
 struct RunOptions {
-  std::vector<std::int16_t> base_pose;  ///< by slider; shorter: the rest are 0
+  std::vector<std::int16_t> base_pose;  ///< by slider; if shorter, the others are 0
   std::vector<bool> jumps;      ///< sliders that take new values at once, without interpolation;
                                 ///< empty: 30 and 37 to 40
   std::uint64_t num_loops = 0;  ///< how often each loop block (WORD_N: each pose with a break)
@@ -118,8 +118,8 @@ struct MirrorPair {
 /// manufacturer's robots; a project does not specify them.
 std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t num_sliders);
 
-/// The pairs with sign -1 whose words have equal signs in some pose and opposite signs in none:
-/// such joints may turn the same way on both sides, so that mirroring should keep their sign.
+/// The pairs with sign -1 whose words are equal and not 0 in some pose, and opposite in none: such
+/// joints may turn the same way on both sides, so that mirroring should keep their sign.
 std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<MirrorPair>& pairs);
 
 /// The mirrored flow: poses swap the words of pairs, and the power states of the servos with the

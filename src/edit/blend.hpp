@@ -11,7 +11,7 @@ namespace kinefile::edit {
 /// Translates and rotates a motion on the ground so that its first moving root has, in `frame`, the
 /// same ground position and heading as in `other_frame` of another motion. It is rotated only if
 /// all roots can represent every rotation.
-/// \param other  of the same skeleton
+/// \param other  has the same skeleton
 Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame);
 
 /// Blends the poses of some frames into those of another clip: three rotations of a joint as one

@@ -275,7 +275,7 @@ Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, c
           carried_over(copy.from, copy.to, copy.sign, clip.row(f)[copy.from.coordinate]);
     }
   }
-  // Both are computed, even if one of them fails.
+  // Both are computed, even if the first residual is too large already.
   const double distance = plan.is_position_found ? find_positions(context, plan, rows) : 0;
   const double angle = plan.is_rotation_found ? find_rotations(context, plan, rows) : 0;
   const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;

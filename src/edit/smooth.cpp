@@ -155,7 +155,7 @@ void smooth_columns(const Filter& filter, std::span<const Column> columns, Clip&
 }
 
 /// Smooths rotations by the components of their quaternions, each on the side of the one before.
-/// The results are not normalised; a result of length 0 is replaced by the old quaternion.
+/// The results are not normalised; a result of a length near 0 is replaced by the old quaternion.
 void smooth_rotations(const Filter& filter, std::vector<Lanes>& quaternions) {
   const auto dot = [](const Lanes& a, const Lanes& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -234,7 +234,8 @@ std::vector<std::size_t> columns_of(const std::vector<DegreeOfFreedom>& dofs) {
   return columns;
 }
 
-/// Smooths a whole rotation of a joint that leads its columns, and marks these columns.
+/// Smooths the rotations of a joint as one rotation, if the joint leads their columns, and marks
+/// these columns.
 /// \param leads  whether the joint follows no other in any of these columns
 void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rotations, bool leads,
                   AngleUnit unit, std::vector<bool>& is_done, Clip& clip) {

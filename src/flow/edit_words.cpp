@@ -17,7 +17,7 @@ std::string num_sliders_text(const PoseFlow& flow) {
   return fmt::format("expected a slider below {}", flow.num_sliders);
 }
 
-/// By slider: which one shows its value in a mirror.
+/// By slider: which one gets its value when mirrored.
 Result<std::vector<const MirrorPair*>> pairs_by_slider(const PoseFlow& flow,
                                                        const std::vector<MirrorPair>& pairs) {
   std::vector<const MirrorPair*> pair_of(flow.num_sliders);
@@ -40,7 +40,7 @@ Result<std::vector<const MirrorPair*>> pairs_by_slider(const PoseFlow& flow,
   return pair_of;
 }
 
-/// A word times 1 or -1; `was_cut` where that does not fit.
+/// A word times 1 or -1; `was_cut` if that does not fit.
 SliderWord signed_word(SliderWord word, int sign, bool& was_cut) {
   const int value = word.value * sign;
   was_cut = was_cut || value > kMostWord;
@@ -64,7 +64,7 @@ bool mirror_pair(PoseBlock& pose, const MirrorPair& pair) {
   return was_cut;
 }
 
-/// Tells of a block that reads or writes a slider of a pair: it stays as it is.
+/// Reports a block that reads or writes a slider of a pair: it stays unchanged.
 void tell_of_variable(const Block& block, std::size_t number,
                       const std::vector<const MirrorPair*>& pair_of, Diagnostics& diagnostics) {
   const auto tell = [&](int variable) {

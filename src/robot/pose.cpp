@@ -17,13 +17,13 @@ void warn(Diagnostics& diagnostics, std::string message) {
   diagnostics.add(Severity::Warning, "BRG014", std::move(message));
 }
 
-/// What a body motion says of a robot.
+/// The components of a body motion that move a robot.
 struct Recorded {
   const Component* links = nullptr;
   const Component* joints = nullptr;
 };
 
-/// Lets the root turn by roll, pitch and yaw, so that their values stay.
+/// Gives the root rotations by roll, pitch and yaw, so that their values stay the same.
 void give_root_angles(Skeleton& skeleton) {
   Component one;
   one.kind = ComponentKind::Poses;
@@ -151,7 +151,7 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
       recorded.links != nullptr && recorded.links->num_parts >= skeleton.joints.size();
   const bool are_found = recorded.joints == nullptr && has_all_links;
   if (are_found) find_joints(*recorded.links, posed);
-  if (!are_found) {  // what was not recorded
+  if (!are_found) {  // if joint values were not recorded
     const std::size_t num_joints = recorded.joints == nullptr ? 0 : recorded.joints->num_parts;
     fill_following_columns(posed, num_root + num_joints);
   }

@@ -26,11 +26,10 @@ Result<Document> adapted_to(const Format& format, Document document,
 
 /// How a motion becomes a body motion, or the other way around.
 struct KindOptions {
-  std::optional<robot::BodyForm> form =
-      std::nullopt;                 ///< absent: unchanged; for a motion the joints if it is a
-                                    ///< robot's, otherwise the links
-  const Document* model = nullptr;  ///< the robot of the body motion; null: none
-  JointMap joint_map = {};          ///< for a motion that is transferred to the robot
+  /// Absent: unchanged; for a motion the joints if it is a robot's, otherwise the links.
+  std::optional<robot::BodyForm> form = std::nullopt;
+  const Document* model = nullptr;               ///< the robot of the body motion; null: none
+  JointMap joint_map = {};                       ///< for a motion that is transferred to the robot
   std::optional<std::size_t> up = std::nullopt;  ///< the axis that shall point up, 1 y or 2 z;
                                                  ///< absent: z for body motions, y for BVH and ASF
   bool keeps_up = false;                         ///< keeps the axes unchanged

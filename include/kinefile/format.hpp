@@ -47,10 +47,10 @@ struct Resolver {
 struct ReadOptions {
   std::string source_name = "<memory>";  ///< the name of the input in diagnostics
   bool lenient = false;                  ///< repair what docs/errors.md names, with a warning each
-  std::string encoding =
-      {};  ///< "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect
-  std::optional<double> fps =
-      std::nullopt;  ///< overrides the file's frame rate, or gives a missing one
+  /// "utf-8", "utf-16le", "utf-16be", "latin-1", "cp932"; empty: detect.
+  std::string encoding = {};
+  /// Overrides the file's frame rate, or gives a missing one.
+  std::optional<double> fps = std::nullopt;
   /// Metres per unit of length, where the format does not define the unit: BVH's unit; for ASF the
   /// unit of lengths after division by the file's own factor.
   std::optional<double> metres_per_unit = std::nullopt;
@@ -67,14 +67,13 @@ struct ReadOptions {
 
 /// How to write a file.
 struct WriteOptions {
-  std::optional<int> decimals =
-      std::nullopt;              ///< digits after the point; absent: the shortest exact form
+  /// Digits after the point; absent: the shortest exact form.
+  std::optional<int> decimals = std::nullopt;
   bool writes_companion = true;  ///< whether `write_file` also writes the companion
   std::string companion = {};    ///< its name, to be written into the file
   /// For a flow's table: the robot's project, to convert words to degrees.
   std::shared_ptr<const RobotProject> project = nullptr;
-  FormatOptions of_formats =
-      {};  ///< what single formats can be told: `choreonoid::WriteOptions`, ...
+  FormatOptions of_formats = {};  ///< options of single formats: `choreonoid::WriteOptions`, ...
 };
 
 using ReadOption = Option<ReadOptions>;
@@ -117,8 +116,8 @@ struct Format {
   std::string_view name;
   std::string_view description;
   std::span<const std::string_view> extensions;  ///< with the dot, lower case, the usual one first
-  std::string_view companion =
-      {};  ///< the format of the file that is written with it: "asf" for "amc"
+  /// The format of the file that is written with it: "asf" for "amc".
+  std::string_view companion = {};
 
   /// Whether a file that starts with these bytes is certainly of this format; null: never.
   bool (*probe)(std::string_view head) = nullptr;

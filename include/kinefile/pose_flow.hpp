@@ -40,8 +40,8 @@ constexpr std::string_view header_word(FlowFormat format) {
 /// The word of one slider in a pose: its actual value, in the units of that slider.
 struct SliderWord {
   std::int16_t value = 0;
-  bool is_enabled =
-      false;  ///< written 0x; 0X is a slider that was disabled when the file was saved
+  /// Written 0x; 0X is a slider that was disabled when the file was saved.
+  bool is_enabled = false;
   bool operator==(const SliderWord&) const = default;
 };
 
@@ -84,8 +84,8 @@ enum class Condition { Undefined, AtLeast, AtMost, BitsMatch, Equal, NotEqual, A
 struct BranchBlock {
   int variable = 0;  ///< 0 to 255
   Condition condition = Condition::Undefined;
-  int detail =
-      0;  ///< a threshold; of `BitsMatch` the wanted bits above, their mask in the low byte
+  /// A threshold; for `BitsMatch` the wanted bits in the high byte, their mask in the low byte.
+  int detail = 0;
   bool operator==(const BranchBlock&) const = default;
 };
 

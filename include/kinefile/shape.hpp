@@ -89,8 +89,8 @@ enum class PositionChannels {
 };
 
 struct ChannelOptions {
-  std::optional<RotationOrder> order =
-      std::nullopt;  ///< absent: each joint's own, or `usual_order` if it has none
+  /// Absent: each joint's own, or `usual_order` if it has none.
+  std::optional<RotationOrder> order = std::nullopt;
   RotationOrder usual_order = {2, 0, 1};
   PositionChannels positions = PositionChannels::AsIs;
   bool adds_positions = false;  ///< new position channels are added to offsets and do not replace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Mirrored in the plane with S = I - 2 n n^T, the joint j in the world W_j becomes its other half
-// k, W'_k = S W_j M_j, where M_j = G_j^-1 S G_k takes j's frame to k's in the pose without angles
-// (G). That pose's image is then itself. In its parent's frame k is M_p^-1 L_j M_j, and what its
-// degrees of freedom make of it is M_j^-1 D_j M_j: a rotation about a becomes one about M_j^-1 a,
-// the other way around. Where no joint is turned at rest, every M is S.
+// Mirrored in the plane with S = I - 2 n n^T, joint j with world pose W_j gives its partner k the
+// pose W'_k = S W_j M_j. M_j = G_j^-1 S G_k transforms j's frame to k's in the pose with angles 0
+// (G), so that the image of this pose is itself. In its parent's frame, k's pose is M_p^-1 L_j M_j,
+// and the part of its degrees of freedom is M_j^-1 D_j M_j: a rotation about a becomes the opposite
+// rotation about M_j^-1 a. If no joint has a rest rotation, every M is S.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ std::vector<DegreeOfFreedom> dofs_of_kind(const Joint& joint, DofKind kind) {
 }
 
 /// Fails, or only warns if lenient.
-Result<void> complain(const MirrorContext& context, std::string message) {
+Result<void> fail_or_warn(const MirrorContext& context, std::string message) {
   Error error = make_error(ErrorKind::Usage, "EDT004", std::move(message));
   if (!context.lenient) return fail(std::move(error));
   error.severity = Severity::Warning;
@@ -258,10 +258,10 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, const
   return residual;
 }
 
-Result<void> complain_of_joint(const MirrorContext& context, const JointPlan& plan) {
+Result<void> report_joint(const MirrorContext& context, const JointPlan& plan) {
   const std::vector<Joint>& joints = context.motion.skeleton.joints;
-  return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
-                                       joints[plan.target].name, joints[plan.source].name));
+  return fail_or_warn(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
+                                           joints[plan.target].name, joints[plan.source].name));
 }
 
 Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
@@ -281,7 +281,7 @@ Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, c
   const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
   // If a joint follows others, these may not have been moved yet.
   if ((!is_out_of_reach || plan.follows) && !is_position_lost(source, target)) return {};
-  return complain_of_joint(context, plan);
+  return report_joint(context, plan);
 }
 
 /// Whether a joint that follows others has the mirrored pose.
@@ -323,11 +323,11 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
   const Mat3 mirror = signs.asDiagonal();
   const auto pairs = mirror_pairs(skeleton, axis);
   if (!lie_opposite(skeleton, pairs, axis)) {
-    auto complained = complain(
+    auto reported = fail_or_warn(
         context, fmt::format("left and right do not lie on the two sides of a mirror whose normal "
                              "is {}; that of this skeleton is {}",
                              "xyz"[axis], "xyz"[guess_mirror_axis(skeleton)]));
-    if (!complained) return fail(std::move(complained.error()));
+    if (!reported) return fail(std::move(reported.error()));
   }
   const Rows rows = result.clip.mutate();
   std::vector<JointPlan> following;
@@ -337,11 +337,11 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
       continue;
     }
     if (pairs[j] == kNoParent) {
-      auto complained = complain(
+      auto reported = fail_or_warn(
           context, fmt::format("joint '{}' has no other half, by name or by where it lies, and "
                                "does not lie in the plane of the mirror",
                                skeleton.joints[j].name));
-      if (!complained) return fail(std::move(complained.error()));
+      if (!reported) return fail(std::move(reported.error()));
     }
     const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
     const JointPlan plan = plan_joint(context, j, target, mirror);
@@ -351,7 +351,8 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
   }
   for (const JointPlan& plan : following) {
     if (is_reached(context, plan, result.clip)) continue;
-    if (auto told = complain_of_joint(context, plan); !told) return fail(std::move(told.error()));
+    auto reported = report_joint(context, plan);
+    if (!reported) return fail(std::move(reported.error()));
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of flows: how the editor makes them, and what edits do to their arrows.
+// Blocks of flows as the editor makes them, and changes of their arrows.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits that change the way of a flow: its order, and which blocks it has.
+// Edits that change the order and the set of a flow's blocks.
 
 #include <fmt/format.h>
 

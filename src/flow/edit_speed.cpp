@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another speed: poses that become too long are parted.
+// Changes the speed of a flow; poses that become too long are split.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits that leave the way of a flow as it is, and change its words.
+// Edits that change only the words of a flow.
 
 #include <fmt/format.h>
 
@@ -65,20 +65,20 @@ bool mirror_pair(PoseBlock& pose, const MirrorPair& pair) {
 }
 
 /// Reports a block that reads or writes a slider of a pair: it stays unchanged.
-void tell_of_variable(const Block& block, std::size_t number,
-                      const std::vector<const MirrorPair*>& pair_of, Diagnostics& diagnostics) {
-  const auto tell = [&](int variable) {
+void report_variable(const Block& block, std::size_t number,
+                     const std::vector<const MirrorPair*>& pair_of, Diagnostics& diagnostics) {
+  const auto report = [&](int variable) {
     const auto slider = static_cast<std::size_t>(variable);
     if (slider >= pair_of.size() || pair_of[slider] == nullptr) return;
     diagnostics.add(Severity::Warning, "FLW012",
                     fmt::format("block {} uses slider {} as a variable, which is not mirrored",
                                 number, slider));
   };
-  if (const auto* branch = std::get_if<BranchBlock>(&block.body)) tell(branch->variable);
+  if (const auto* branch = std::get_if<BranchBlock>(&block.body)) report(branch->variable);
   const auto* sum = std::get_if<ArithmeticBlock>(&block.body);
   if (sum == nullptr) return;
-  tell(sum->variable);
-  if (sum->has_variable_operand) tell(sum->operand);
+  report(sum->variable);
+  if (sum->has_variable_operand) report(sum->operand);
 }
 
 std::vector<PoseBlock*> poses_of(PoseFlow& flow) {
@@ -133,7 +133,7 @@ Result<PoseFlow> mirror(const PoseFlow& flow, const std::vector<MirrorPair>& pai
   if (!pair_of) return fail(pair_of.error());
   PoseFlow mirrored = flow;
   for (std::size_t b = 0; b < mirrored.blocks.size(); ++b) {
-    tell_of_variable(mirrored.blocks[b], b, *pair_of, diagnostics);
+    report_variable(mirrored.blocks[b], b, *pair_of, diagnostics);
     auto* pose = std::get_if<PoseBlock>(&mirrored.blocks[b].body);
     if (pose == nullptr) continue;
     for (const MirrorPair& pair : pairs) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// WORD_N knows poses alone, of which some ask whether to go on; V1R4 asks in blocks of their own.
+// WORD_N has only poses, some of which check whether to continue; V1R4 has separate blocks for such
+// checks.
 
 #include <fmt/format.h>
 
@@ -134,7 +135,7 @@ Result<PoseArrows> arrows_of(const PoseFlow& flow, std::size_t pose) {
 }
 
 /// Reports loop blocks that no arrow leads to: they are removed.
-void tell_of_lost_loops(const PoseFlow& flow, Diagnostics& diagnostics) {
+void report_lost_loops(const PoseFlow& flow, Diagnostics& diagnostics) {
   std::vector<bool> is_entered(flow.blocks.size());
   for (const Block& block : flow.blocks) {
     for (const int target : {block.normal, block.branch}) {
@@ -187,7 +188,7 @@ Result<PoseFlow> as_word_n(const PoseFlow& source, Diagnostics& diagnostics) {
   if (auto refused = unsayable(source)) return std::move(*refused);
   const auto poses = poses_in_order(source);
   if (!poses) return fail(poses.error());
-  tell_of_lost_loops(source, diagnostics);
+  report_lost_loops(source, diagnostics);
   std::vector<int> place_of(source.blocks.size(), kNoBlock);
   for (std::size_t p = 0; p < poses->size(); ++p) place_of[(*poses)[p]] = static_cast<int>(p);
   PoseFlow made;

@@ -61,9 +61,9 @@ void begin_pose(Machine& machine, std::size_t block, const PoseBlock& pose) {
   note_servos(machine, block);
   if (pose.sound.empty()) return;
   auto& events = machine.run.events;
-  const bool is_told = !events.empty() && events.back().tick == machine.tick &&
-                       events.back().block == block && events.back().sound.empty();
-  if (!is_told) events.push_back({machine.tick, block, {}, machine.servo_off, false});
+  const bool is_reported = !events.empty() && events.back().tick == machine.tick &&
+                           events.back().block == block && events.back().sound.empty();
+  if (!is_reported) events.push_back({machine.tick, block, {}, machine.servo_off, false});
   events.back().sound = pose.sound;
 }
 

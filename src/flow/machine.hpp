@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot that a flow runs on: its variables, the time, and what has happened.
+// The state of the robot that runs a flow: its variables, the time, and the events so far.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One row at a time, joint by joint up to the root: what the kernel does for many, and its
-// derivative. A column's derivative is how the point moves in the world while everything nearer to
-// the root stands still.
+// Computes one row at a time, from a joint up to the root: the same as the kernel for many rows,
+// and its derivative. The derivative by a column is the velocity of the point in the world while
+// all joints nearer to the root are fixed.
 
 #include <algorithm>
 #include <cassert>

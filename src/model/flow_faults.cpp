@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All ways through a flow, in time that grows with the number of its blocks, without recursion.
+// Analyses all paths through a flow, in time linear in the number of blocks, without recursion.
 
 #include <algorithm>
 #include <array>

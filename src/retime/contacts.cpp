@@ -11,7 +11,7 @@
 namespace kinefile::retime {
 namespace {
 
-constexpr double kMostSpeed = 0.2;     // metres a second
+constexpr double kMostSpeed = 0.2;     // metres per second
 constexpr double kMostHeight = 0.04;   // metres above the ground
 constexpr double kLeastTime = 0.1;     // seconds
 constexpr double kGroundShare = 0.02;  // the fraction of frames in which a foot point is at or

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Works on some hundred new frames at a time and joint by joint: the rotations of all old frames
-// that these need are found once, then all new ones between them, in arrays that stay in the cache.
+// Works on a few hundred new frames at a time, joint by joint: first computes the rotations of all
+// old frames that these need, then all new ones between them, in arrays that stay in the cache.
 
 #include "retime/interpolate_rotations.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components of body motions as motions of loose parts, and back.
+// Components of body motions as motions of separate parts, and back.
 
 #include <fmt/format.h>
 

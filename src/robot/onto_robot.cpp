@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion of a figure on a robot whose joints are called alike: rotations from the rest poses
-// on, joint by joint; no balance, no reach.
+// Transfers the motion of a figure to a robot with the same joint names: rotations relative to the
+// rest poses, joint by joint; without balance and without inverse kinematics.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace kinefile::robot {
 namespace {
 
 /// The largest residual rotation of a robot's joints without a warning, in degrees.
-constexpr double kToldDegrees = 1e-4;
+constexpr double kReportedDegrees = 1e-4;
 
 /// A link of the robot that follows a joint of the figure, and the links that rotate it: those
 /// after the nearest ancestor that also follows a joint.
@@ -125,15 +125,15 @@ void turn_path(const Follower& follower, const Skeleton& robot, std::span<const 
   }
 }
 
-void tell(const std::vector<Follower>& followers, const Motion& motion, const Skeleton& robot,
-          Diagnostics& diagnostics) {
+void report_residuals(const std::vector<Follower>& followers, const Motion& motion,
+                      const Skeleton& robot, Diagnostics& diagnostics) {
   const std::vector<std::size_t> leaders = leaders_of_columns(robot);
   std::vector<std::string> still;
   std::vector<bool> is_used(robot.joints.size(), false);
   for (const Follower& follower : followers) {
     for (const std::size_t j : follower.turning) is_used[j] = true;
     const double degrees = follower.largest_residual / kRadiansPerDegree;
-    if (degrees < kToldDegrees) continue;
+    if (degrees < kReportedDegrees) continue;
     diagnostics.add(
         Severity::Warning, "BRG015",
         fmt::format("link '{}' cannot turn as '{}' does: up to {:.3g} degrees are left "
@@ -235,7 +235,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
       moved.clip.values.append(row);
     }
   }
-  tell(followers, motion, robot, diagnostics);
+  report_residuals(followers, motion, robot, diagnostics);
   return project(moved, BodyForm::Joints, nullptr, diagnostics);
 }
 

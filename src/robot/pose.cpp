@@ -69,18 +69,18 @@ Result<std::size_t> settle_frames(const Recorded& recorded, bool lenient,
   return main.num_frames;
 }
 
-void tell_counts(const Recorded& recorded, const Skeleton& skeleton, Diagnostics& diagnostics) {
-  const auto tell = [&](std::size_t found, std::size_t wanted, std::string_view what) {
+void report_counts(const Recorded& recorded, const Skeleton& skeleton, Diagnostics& diagnostics) {
+  const auto report = [&](std::size_t found, std::size_t wanted, std::string_view what) {
     if (found == wanted) return;
     warn(diagnostics,
          fmt::format("the model has {} {}, the motion {}; {}", wanted, what, found,
                      found > wanted ? "the last ones are left out" : "the others stay at rest"));
   };
   const std::size_t num_joints = skeleton.coordinates.size() - kRootColumns;
-  if (recorded.joints != nullptr) tell(recorded.joints->num_parts, num_joints, "joints");
+  if (recorded.joints != nullptr) report(recorded.joints->num_parts, num_joints, "joints");
   const bool has_all_links = recorded.links != nullptr && recorded.links->num_parts > 1;
   if (has_all_links && recorded.links->num_parts > skeleton.joints.size()) {
-    tell(recorded.links->num_parts, skeleton.joints.size(), "links");
+    report(recorded.links->num_parts, skeleton.joints.size(), "links");
   }
 }
 
@@ -117,7 +117,7 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
   }
   const auto num_frames = settle_frames(recorded, lenient, diagnostics);
   if (!num_frames) return fail(num_frames.error());
-  tell_counts(recorded, skeleton, diagnostics);
+  report_counts(recorded, skeleton, diagnostics);
 
   Motion posed{skeleton, {}};
   const bool is_rpy =

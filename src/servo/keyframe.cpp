@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A trajectory as a flow of poses: what words it needs at every tick, which ticks become poses
-// (keyframe_search.cpp), and how far the flow is from it as it runs.
+// Converts a trajectory to a flow of poses: the words at every tick, the ticks of poses
+// (keyframe_search.cpp), and the error of the running flow.
 
 #include <fmt/format.h>
 
@@ -106,7 +106,7 @@ double angle_at(const JointTrajectory& trajectory, std::size_t joint, double fra
   return from + (trajectory.angles[(before + 1) * num_joints + joint] - from) * share;
 }
 
-void tell_limits(const Task& task, Diagnostics& diagnostics, const JointTrajectory& trajectory) {
+void report_limits(const Task& task, Diagnostics& diagnostics, const JointTrajectory& trajectory) {
   const WordTrack& track = task.track;
   for (std::size_t j = 0; j < track.num_joints; ++j) {
     const Grid grid(*task.entries[j]);
@@ -269,7 +269,7 @@ Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& ma
   if (auto checked = check_options(options, map); !checked) return fail(checked.error());
   const auto task = task_of(trajectory, map);
   if (!task) return fail(task.error());
-  tell_limits(*task, diagnostics, trajectory);
+  report_limits(*task, diagnostics, trajectory);
   if (options.tolerance) {
     const auto keys = fewest_poses(task->track, *options.tolerance);
     if (!keys) return fail(out_of_tolerance(trajectory, *task, map, options));

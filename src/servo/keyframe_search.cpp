@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which ticks poses stand at: dynamic programming over all that they could.
+// Finds the ticks of poses by dynamic programming over all possible ticks.
 //
 // A path goes from tick 0 to the last one in segments of 1 to kMaxTicks ticks. For every tick, in
 // order, the search finds the fewest poses of a path within the tolerance that ends there. It tries

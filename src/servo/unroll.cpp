@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a robot did, as angles of joints, and angles of joints as a servo map names them.
+// Converts a run to joint angles, and finds the joint angles that a servo map names.
 
 #include <fmt/format.h>
 
@@ -163,8 +163,8 @@ void fill_following(const Skeleton& robot, const std::vector<MappedAngle>& angle
 }
 
 /// Reports sliders that the flow does not have.
-void tell_missing_sliders(const flow::Run& run, const ServoMap& map,
-                          const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
+void report_missing_sliders(const flow::Run& run, const ServoMap& map,
+                            const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
   std::vector<std::string> missing;
   for (const MappedAngle& angle : angles) {
     const ServoMapEntry& entry = map.entries[angle.entry];
@@ -231,7 +231,7 @@ Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skele
   }
   const auto angles = displaced(map, robot, rest.size(), {}, diagnostics);
   if (!angles) return fail(angles.error());
-  tell_missing_sliders(run, map, *angles, diagnostics);
+  report_missing_sliders(run, map, *angles, diagnostics);
   BodyMotion motion;
   Component& component = motion.components.emplace_back();
   component.kind = ComponentKind::Values;
@@ -251,7 +251,7 @@ Result<Motion> motion_of_run(const flow::Run& run, const ServoMap& map, const Sk
                              Diagnostics& diagnostics) {
   const auto angles = angles_in(skeleton, map, "skeleton", diagnostics);
   if (!angles) return fail(angles.error());
-  tell_missing_sliders(run, map, *angles, diagnostics);
+  report_missing_sliders(run, map, *angles, diagnostics);
   Motion motion{skeleton, {}};
   motion.clip.num_frames = run.num_ticks + 1;
   motion.clip.num_coordinates = skeleton.coordinates.size();

@@ -287,7 +287,7 @@ void fill_values(Builder& builder) {
 }
 
 /// Bones cannot keep columns that no degree of freedom reads.
-void tell_unread(Builder& builder) {
+void report_unread(Builder& builder) {
   const std::vector<std::size_t> readers = num_readers_of_columns(builder.motion.skeleton);
   const std::vector<std::string> names = column_names(builder.motion.skeleton);
   for (std::size_t c = 0; c < readers.size(); ++c) {
@@ -297,7 +297,7 @@ void tell_unread(Builder& builder) {
   }
 }
 
-void tell_changes(Builder& builder) {
+void report_changes(Builder& builder) {
   const auto note = [&builder](Severity severity, const std::vector<std::string>& names,
                                std::string_view text) {
     if (names.empty()) return;
@@ -366,8 +366,8 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
     }
   }
   fill_values(builder);
-  tell_unread(builder);
-  tell_changes(builder);
+  report_unread(builder);
+  report_changes(builder);
   return std::move(builder.result);
 }
 

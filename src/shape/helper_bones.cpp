@@ -121,7 +121,7 @@ void hand_up_tips(const Skeleton& skeleton, const Helpers& helpers, std::size_t 
   }
 }
 
-void tell_removed(const Skeleton& skeleton, const Helpers& helpers, Diagnostics& diagnostics) {
+void report_removed(const Skeleton& skeleton, const Helpers& helpers, Diagnostics& diagnostics) {
   std::vector<std::string> names;
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (helpers.is_helper[j]) names.push_back(skeleton.joints[j].name);
@@ -159,7 +159,7 @@ Motion without_helper_bones(Motion motion, Diagnostics& diagnostics) {
     skeleton.joints.push_back(std::move(joint));
   }
   for (Coordinate& column : skeleton.coordinates) column.joint = new_of_old[column.joint];
-  if (skeleton.joints.size() < old.joints.size()) tell_removed(old, helpers, diagnostics);
+  if (skeleton.joints.size() < old.joints.size()) report_removed(old, helpers, diagnostics);
   return motion;
 }
 

@@ -305,8 +305,8 @@ bool moves_freely(const Skeleton& skeleton) {
                      [](const Joint& joint) { return kinefile::moves_freely(joint); });
 }
 
-void tell_unmatched(const Motion& motion, const Skeleton& skeleton,
-                    const std::vector<JointPair>& pairs, Diagnostics& diagnostics) {
+void report_unmatched(const Motion& motion, const Skeleton& skeleton,
+                      const std::vector<JointPair>& pairs, Diagnostics& diagnostics) {
   std::vector<bool> is_used(motion.skeleton.joints.size(), false);
   std::vector<bool> is_moved(skeleton.joints.size(), false);
   for (const JointPair pair : pairs) {
@@ -387,7 +387,7 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
       warn(diagnostics, fmt::format("joint '{}' cannot be scaled as it was", name));
     }
   }
-  tell_unmatched(motion, skeleton, pairs, diagnostics);
+  report_unmatched(motion, skeleton, pairs, diagnostics);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions as formats have them that know one column for one angle or length, and no more.
+// Motions for formats in which a column is just one angle or length.
 
 #include <algorithm>
 

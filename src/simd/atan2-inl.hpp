@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Included once for every set of vector instructions: no include guard. As sincos-inl.hpp: without
-// branches or calls, the same bits on every machine.
+// Included once for every instruction set, so without an include guard. Like sincos-inl.hpp,
+// without branches or calls, with the same bits on every machine.
 
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {

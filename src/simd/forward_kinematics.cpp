@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one a
-// frame, so that each line of arithmetic is a short loop that becomes vector instructions.
-// A rotation about a coordinate axis changes two columns of the rotation matrix and no more.
-// Highway compiles this file once for every set of instructions and picks one at run time.
+// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one per
+// frame, so that each line of arithmetic is a short loop that the compiler can vectorise. A
+// rotation about a coordinate axis changes only two columns of the rotation matrix.
+// Highway compiles this file once for every instruction set and selects one at run time.
 
 #include "simd/forward_kinematics.hpp"
 

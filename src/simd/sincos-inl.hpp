@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Included once for every set of vector instructions, by every kernel: no include guard.
+// Included once for every instruction set, by every kernel, so without an include guard.
 //
 // Loops over a block without branches or calls, so that the compiler can vectorise them, which it
 // cannot do with sin and cos of the C library. Results do not depend on the vector width: products

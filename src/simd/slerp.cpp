@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As forward_kinematics.cpp: plain loops over blocks, compiled once for every set of vector
-// instructions, and the same bits from each.
+// Like forward_kinematics.cpp: simple loops over blocks, compiled once for every instruction set,
+// with the same bits from each.
 
 #include "simd/slerp.hpp"
 

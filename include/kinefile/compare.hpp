@@ -33,11 +33,11 @@ struct MotionComparison {
   std::size_t num_frames_second = 0;
 };
 
-/// Compares where two motions put their joints. Joints are matched by name, repeated names in their
-/// order. Each frame of the first is compared with the frame of the second that is nearest in time.
-/// Motions without frames are compared in their rest poses. If exactly one of two numbers is NaN,
-/// they differ by infinity. If both specify their units of length, the lengths of the second are
-/// converted.
+/// Compares the positions and rotations of joints of two motions in the world. Joints are matched
+/// by name, repeated names in their order. Each frame of the first is compared with the frame of
+/// the second that is nearest in time. Motions without frames are compared in their rest poses. If
+/// exactly one of two numbers is NaN, they differ by infinity. If both specify their units of
+/// length, the lengths of the second are converted.
 MotionComparison compare_motions(const Motion& first, const Motion& second);
 
 }  // namespace kinefile

@@ -24,7 +24,7 @@ namespace kinefile {
 Result<Document> adapted_to(const Format& format, Document document,
                             const shape::ChannelOptions& channels, Diagnostics& diagnostics);
 
-/// How a motion becomes a body motion, or the other way around.
+/// How to convert a motion to a body motion, or vice versa.
 struct KindOptions {
   /// Absent: unchanged; for a motion the joints if it is a robot's, otherwise the links.
   std::optional<robot::BodyForm> form = std::nullopt;

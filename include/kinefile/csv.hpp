@@ -9,13 +9,13 @@ namespace kinefile::csv {
 struct ReadOptions {
   bool in_degrees = false;   ///< for a flow: numbers are degrees, converted by
                              ///< `kinefile::ReadOptions::project`
-  bool is_relative = false;  ///< ... from the base pose on
+  bool is_relative = false;  ///< degrees are relative to the base pose
 };
 
 /// How to write a table, in addition to `kinefile::WriteOptions`.
 struct WriteOptions {
   bool in_degrees = false;   ///< for a flow: degrees, for sliders that the project shows in degrees
-  bool is_relative = false;  ///< ... from the base pose on
+  bool is_relative = false;  ///< degrees are relative to the base pose
 };
 
 }  // namespace kinefile::csv

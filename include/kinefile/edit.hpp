@@ -21,8 +21,8 @@ namespace kinefile::edit {
 /// \errors EDT003 (Usage) if the motion does not have these frames
 Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end);
 
-/// The frames from the last to the first, bit for bit. Frames with their own times keep their
-/// intervals, also reversed, and start at the same time.
+/// The frames from the last to the first, bit for bit. Frames' own times start at the same time and
+/// keep their intervals, in reverse order.
 Motion reverse(Motion motion);
 
 /// The mirrored motion: the right side does what the left side did, and vice versa. The skeleton
@@ -42,7 +42,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
                       Diagnostics& diagnostics);
 
 /// The axis along which joints that are paired by name are furthest apart in the rest pose: 0 x, 1
-/// y, 2 z. x if no joints are paired.
+/// y, 2 z; x if no joints are paired.
 std::size_t guess_mirror_axis(const Skeleton& skeleton);
 
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
@@ -96,9 +96,9 @@ Result<void> rename(Document& document, const std::string& old_name, const std::
 
 /// The motion after a low-pass filter: a second-order Butterworth filter, run forwards and
 /// backwards, so that nothing is delayed. Three rotations of a joint are filtered as quaternions
-/// that are continuous in time; other values as numbers, angles after jumps by whole turns are
-/// removed. Both ends are extended by reflection over two periods of the cut-off. Values that do
-/// not change over time keep every bit.
+/// that are continuous in time; other values as numbers. Jumps of angles by whole turns do not
+/// affect the filter. Both ends are extended by reflection over two periods of the cut-off. Values
+/// that do not change over time keep every bit.
 /// \param cutoff_hz  the frequency at which both passes together halve the power; above 0, below
 ///                   half the frame rate
 /// \errors EDT007 (Usage) if the cut-off is out of range, EDT011 (Usage) for frames with their own

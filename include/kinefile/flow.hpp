@@ -128,8 +128,7 @@ std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<M
 Result<PoseFlow> mirror(const PoseFlow& flow, const std::vector<MirrorPair>& pairs,
                         Diagnostics& diagnostics);
 
-/// The poses of a straight flow, from the last to the first, with times between poses reversed,
-/// too.
+/// The poses of a straight flow in reverse order. The times between poses are reversed, too.
 /// \errors FLW003 (Usage) if it loops, branches or computes
 Result<PoseFlow> reverse(const PoseFlow& flow);
 
@@ -139,7 +138,7 @@ Result<PoseFlow> reverse(const PoseFlow& flow);
 Result<PoseFlow> speed(const PoseFlow& flow, double factor, Diagnostics& diagnostics);
 
 /// Adds to the words of a slider in all poses that enable it.
-/// \errors FLW005 (Usage) if there is no such slider, or a word leaves 16 bits
+/// \errors FLW005 (Usage) if there is no such slider, or a word does not fit into 16 bits
 Result<PoseFlow> offset(const PoseFlow& flow, std::size_t slider, int offset);
 
 /// Replaces sliders with those of another flow with equally many poses: words and whether they are

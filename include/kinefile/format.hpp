@@ -23,7 +23,7 @@ struct RobotProject;
 enum class TimedRounding {
   Ceil,   ///< the first one at or after its time, as in the format's document
   Floor,  ///< the last one at or before its time, as in Choreonoid
-  Slerp,  ///< none: values are interpolated
+  Slerp,  ///< no rounding: values are interpolated
 };
 
 /// A file that another file needs.

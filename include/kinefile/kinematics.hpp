@@ -47,9 +47,9 @@ struct JointPoint {
 /// Forward kinematics of a skeleton. The constructor makes a plan; after that, rows are placed and
 /// derivatives computed any number of times. Copies share the plan. All const functions may be
 /// called from several threads at once.
-/// Values that are not finite give poses that are not; a quaternion (of a free joint, of a ball) is
-/// normalised unless the square of its length is within 1e-8 of 1, as rounding to nine digits
-/// leaves it.
+/// Values that are not finite give poses that are not finite. A quaternion (of a free joint, of a
+/// ball) is normalised unless the square of its length is within 1e-8 of 1, as rounding to nine
+/// digits leaves it.
 class Kinematics {
  public:
   /// \param skeleton  valid (see `validate`); not used after construction
@@ -107,9 +107,9 @@ struct KinematicsOptions {
 /// \param clip      values in the skeleton's units; as many columns as it has coordinates
 /// \returns         world_from_joint; row 0 is `options.first_frame`
 /// Column vectors, right-handed: world_from_joint = world_from_parent * parent_from_joint.
-/// Values that are not finite give poses that are not; a quaternion (of a free joint, of a ball) is
-/// normalised unless the square of its length is within 1e-8 of 1, as rounding to nine digits
-/// leaves it.
+/// Values that are not finite give poses that are not finite. A quaternion (of a free joint, of a
+/// ball) is normalised unless the square of its length is within 1e-8 of 1, as rounding to nine
+/// digits leaves it.
 /// Source: the format document's worked example; Meredith and Maddock, "Motion Capture File Formats
 /// Explained", section 3.
 WorldPoses forward_kinematics(const Skeleton& skeleton, const Clip& clip,

@@ -69,7 +69,7 @@ std::optional<Ease> parse_ease(std::string_view text);
 double ease_at(const Ease& ease, double u);
 
 struct WarpOptions {
-  std::vector<WarpKey> keys = {};  ///< in any order; 0:0 is implied where no key has new frame 0
+  std::vector<WarpKey> keys = {};  ///< in any order; 0:0 is implied if no key has new frame 0
   Tail tail = Tail::Keep;
   WarpCurve curve = WarpCurve::Linear;
   Ease ease = {};              ///< within every interval between keys, including implied ones, not
@@ -95,7 +95,7 @@ Result<TimeMap> warp_map(std::size_t num_frames, const WarpOptions& options);
 /// As above, but keys may be in seconds. Frames with their own times are shown at a steady rate
 /// (see `rate_for`), reported in a note (RTM009): between keys, time runs evenly in seconds, not in
 /// frames. Old frames of keys are frames of the motion; new frames are counted at the new rate.
-/// \errors RTM001 (Usage) as above; RTM002 (Usage) if the frames' own times do not rise
+/// \errors RTM001 (Usage) as above; RTM002 (Usage) if the frames' own times are not increasing
 Result<TimeMap> warp_map(const Timeline& timeline, std::size_t num_frames, WarpOptions options,
                          bool keys_in_seconds, Diagnostics& diagnostics);
 
@@ -121,7 +121,7 @@ Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start);
 
 /// The steady rate for frames with their own times: the import rate that their file specifies,
 /// otherwise `steady_rate`. For other frames their own rate.
-/// \errors RTM002 (Usage) if the times do not rise
+/// \errors RTM002 (Usage) if the times are not increasing
 Result<SteadyRate> rate_for(const Timeline& timeline);
 
 /// Weights for where time may stretch without being noticed: 1 where a foot is on the ground, 0

@@ -14,13 +14,13 @@ namespace kinefile {
 struct SuddenTurn {
   std::size_t joint = 0;
   std::size_t frame = 0;         ///< the first frame after the turn
-  std::size_t return_frame = 0;  ///< the first frame in which it is back; 0 if it stays (a flip)
+  std::size_t return_frame = 0;  ///< the first frame after it turned back; 0 if it stays (a flip)
   double degrees = 0;            ///< how far it turns
 };
 
 /// Finds joints that turn by more than 90 degrees from one frame to the next, in their parents'
-/// frames: spikes, which are back within some frames, and flips, which stay. In the order of
-/// joints, then frames. Such turns come from markers that were mixed up.
+/// frames: spikes, which turn back within a few frames, and flips, which stay. Sorted by joint,
+/// then frame. Such turns come from markers that were confused during capture.
 std::vector<SuddenTurn> find_sudden_turns(const Motion& motion);
 
 }  // namespace kinefile

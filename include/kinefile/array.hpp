@@ -18,32 +18,33 @@ namespace detail {
 
 struct Storage;
 
-/// Memory for at least so many bytes, 64-byte aligned, not filled; held once.
+/// Memory for at least `num_bytes` bytes, 64-byte aligned, not filled. Its reference count is 1.
 Storage* allocate_storage(std::size_t num_bytes);
-/// Somebody else's memory, kept alive by its owner; held once.
+/// Memory of the caller, kept alive by `owner`. Its reference count is 1.
 Storage* adopt_storage(void* data, std::size_t num_bytes, std::shared_ptr<const void> owner,
                        bool is_writable);
 void retain_storage(Storage* storage) noexcept;
 void release_storage(Storage* storage) noexcept;
 void* storage_data(const Storage* storage) noexcept;
 std::size_t storage_capacity(const Storage* storage) noexcept;
-/// Whether one array alone holds this memory and may write it.
+/// Whether only one array holds this memory and may write it.
 bool is_exclusive(const Storage* storage) noexcept;
 bool is_exposed(const Storage* storage) noexcept;
 void expose_storage(Storage* storage) noexcept;
 
 }  // namespace detail
 
-/// Many numbers in a row. Copies share their memory until one of them is written, so that a copy
-/// costs nothing; memory is not filled with zeros; memory of others (a NumPy array, the browser's
-/// heap) can be adopted with its owner.
+/// A contiguous array of numbers. Copies share their memory until one of them is written, so that a
+/// copy costs nothing. Memory is not filled with zeros. Memory of others (a NumPy array, the
+/// browser's heap) can be adopted with its owner.
 ///
 /// Reading is const throughout. Writing starts with one explicit call, `mutate`, which copies the
-/// numbers if others look at them. Memory that is handed out with `expose`, or adopted as writable,
-/// is exposed: somebody outside may write it at any time, so copies of such an array are deep.
+/// numbers if other arrays share them. Memory that is handed out with `expose`, or adopted as
+/// writable, is exposed: code outside may write it at any time, so copies of such an array are
+/// deep.
 ///
-/// Memory that an array allocates is 64-byte aligned (where large, it asks for huge pages);
-/// adopted memory and rows within an array are not, so nothing may rely on alignment.
+/// Memory that an array allocates is 64-byte aligned (large blocks request huge pages). Adopted
+/// memory and rows within an array are not aligned, so no code may rely on alignment.
 ///
 /// Threads: const access and copying from several threads at once is safe; writing needs an array
 /// that no other thread uses (copies that share memory count as other arrays).
@@ -57,9 +58,9 @@ class Array {
   using const_iterator = const T*;
 
   Array() = default;
-  /// `size` elements that are not set.
+  /// `size` uninitialised elements.
   explicit Array(std::size_t size) { resize(size); }
-  /// `size` elements of one value.
+  /// `size` elements, all equal to `value`.
   Array(std::size_t size, T value) { assign(size, value); }
   Array(std::initializer_list<T> values) { append({values.begin(), values.size()}); }
   /// A copy of these elements.
@@ -88,12 +89,12 @@ class Array {
   }
   ~Array() { release(); }
 
-  /// An array of somebody else's memory, which is only read; a write copies it first.
+  /// An array over memory of the caller, which is only read; a write copies it first.
   static Array adopt(std::span<const T> values, std::shared_ptr<const void> owner) {
     // Never written: storage that is not writable is never exclusive.
     return Array(const_cast<T*>(values.data()), values.size(), std::move(owner), false);
   }
-  /// An array of somebody else's memory, which is written in place. It is exposed.
+  /// An array over memory of the caller, which is written in place. It is exposed.
   static Array adopt_writable(std::span<T> values, std::shared_ptr<const void> owner) {
     return Array(values.data(), values.size(), std::move(owner), true);
   }
@@ -108,25 +109,25 @@ class Array {
   const T& front() const { return data_[0]; }
   const T& back() const { return data_[size_ - 1]; }
 
-  /// The elements, to be written by the caller alone; copies them first if others look at them. The
-  /// span is good until the array is copied, resized or destroyed.
+  /// The elements, for writing. Copies them first if other arrays share them. The span is valid
+  /// until the array is copied, resized or destroyed.
   std::span<T> mutate() {
     make_exclusive(size_);
     return {data_, size_};
   }
 
-  /// As `mutate`, for a view that outlives this call: the array is exposed from now on.
+  /// As `mutate`, but for a view that is kept: the array is exposed from now on.
   std::span<T> expose() {
     const std::span<T> values = mutate();
     if (storage_ != nullptr) detail::expose_storage(storage_);
     return values;
   }
 
-  /// Makes room for `size` elements in all.
+  /// Reserves memory for `size` elements in total.
   void reserve(std::size_t size) {
     if (size > capacity()) make_exclusive(size);
   }
-  /// Changes the number of elements; new ones are not set.
+  /// Changes the number of elements; new elements are uninitialised.
   void resize(std::size_t size) {
     if (size > size_) grow(size - size_);
     size_ = size;
@@ -137,8 +138,8 @@ class Array {
     const std::span<T> values = mutate();
     std::fill(values.begin(), values.end(), value);
   }
-  /// Adds `count` elements that are not set, to be written by the caller. Many such calls take a
-  /// time that is linear in the number of elements.
+  /// Adds `count` uninitialised elements, which the caller writes. The total time of many calls is
+  /// linear in the number of elements.
   std::span<T> grow(std::size_t count) {
     const std::size_t needed = size_ + count;
     make_exclusive(needed > capacity() ? std::max(needed, size_ + size_ / 2) : needed);
@@ -175,7 +176,7 @@ class Array {
   std::size_t capacity() const {
     return storage_ == nullptr ? 0 : detail::storage_capacity(storage_) / sizeof(T);
   }
-  /// Memory for `size` elements that nobody else looks at, with the elements there are.
+  /// Gets memory for `size` elements that no other array shares, and keeps the current elements.
   void make_exclusive(std::size_t size) {
     if (storage_ == nullptr && size == 0) return;
     if (storage_ != nullptr && size <= capacity() && detail::is_exclusive(storage_)) return;
@@ -197,7 +198,7 @@ class Array {
   std::size_t size_ = 0;
 };
 
-/// Rows of an array, to be written: see `Clip::mutate`.
+/// Rows of an array, for writing: see `Clip::mutate`.
 struct Rows {
   std::span<double> values;  ///< [row][column]
   std::size_t width = 0;

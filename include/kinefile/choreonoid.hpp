@@ -9,15 +9,15 @@ namespace kinefile::choreonoid {
 
 /// How a YAML document is laid out.
 enum class YamlStyle {
-  Kept,   ///< as the file was; block style for others
-  Block,  ///< rows in flow style, all else in blocks
-  Json,   ///< all in flow style, which is JSON
+  Kept,   ///< as in the source file; block style for other documents
+  Block,  ///< rows in flow style, everything else in block style
+  Json,   ///< everything in flow style, which is JSON
 };
 
-/// How to write a .seq file, beyond what `kinefile::WriteOptions` says.
+/// How to write a .seq file, in addition to `kinefile::WriteOptions`.
 struct WriteOptions {
-  int version = 0;              ///< 1 to 4; 0: the file's own, 2 for others
-  std::string se3_format = {};  ///< "XYZQWQXQYQZ", ...; empty: the file's own
+  int version = 0;              ///< 1 to 4; 0: that of the source file, 2 for other documents
+  std::string se3_format = {};  ///< "XYZQWQXQYQZ", ...; empty: that of the source file
   YamlStyle style = YamlStyle::Kept;
   bool choreonoid_digits = false;  ///< nine significant digits, as Choreonoid writes
 };

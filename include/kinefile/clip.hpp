@@ -12,7 +12,7 @@
 
 namespace kinefile {
 
-/// The values of a motion: one row a frame, one column a coordinate of its skeleton.
+/// The values of a motion: one row per frame, one column per coordinate of its skeleton.
 struct Clip {
   std::size_t num_frames = 0;
   std::size_t num_coordinates = 0;
@@ -22,14 +22,14 @@ struct Clip {
   std::span<const double> row(std::size_t frame) const {
     return {values.data() + frame * num_coordinates, num_coordinates};
   }
-  /// The rows, to be written (see `Array::mutate`).
+  /// The rows, for writing (see `Array::mutate`).
   Rows mutate() { return {values.mutate(), num_coordinates}; }
 };
 
-/// Whether a column has one value in every frame; true without frames, false for NaN.
+/// Whether a column equals `value` in every frame; true without frames, false for NaN.
 bool is_always(const Clip& clip, std::size_t column, double value);
 
-/// A clip of some of another's columns, in the order given.
+/// A clip of the given columns of another clip, in the given order.
 Clip with_columns(const Clip& clip, const std::vector<std::size_t>& columns);
 
 }  // namespace kinefile

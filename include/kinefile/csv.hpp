@@ -5,16 +5,17 @@
 
 namespace kinefile::csv {
 
-/// How to read a table, beyond what `kinefile::ReadOptions` says.
+/// How to read a table, in addition to `kinefile::ReadOptions`.
 struct ReadOptions {
-  bool in_degrees = false;  ///< of a flow: numbers are degrees, by `kinefile::ReadOptions::project`
-  bool is_relative = false;  ///< ... from the base pose on
+  bool in_degrees = false;   ///< for a flow: numbers are degrees, converted by
+                             ///< `kinefile::ReadOptions::project`
+  bool is_relative = false;  ///< degrees are relative to the base pose
 };
 
-/// How to write a table, beyond what `kinefile::WriteOptions` says.
+/// How to write a table, in addition to `kinefile::WriteOptions`.
 struct WriteOptions {
-  bool in_degrees = false;   ///< of a flow: words of sliders that the project gives degrees for
-  bool is_relative = false;  ///< ... from the base pose on
+  bool in_degrees = false;   ///< for a flow: degrees, for sliders that the project shows in degrees
+  bool is_relative = false;  ///< degrees are relative to the base pose
 };
 
 }  // namespace kinefile::csv

@@ -14,14 +14,14 @@ namespace kinefile {
 
 enum class Severity {
   Note,     ///< worth knowing; nothing is wrong
-  Warning,  ///< the file departs from its format; it was read as the message says
+  Warning,  ///< the file deviates from its format; the message says how it was read
   Error,    ///< the file cannot be read without losing or guessing something
 };
 
 /// Returns "note", "warning" or "error".
 std::string_view severity_name(Severity severity);
 
-/// A place in an input. Lines and columns count from 1; columns are UTF-8 bytes of the decoded
+/// A place in an input. Lines and columns count from 1; columns count UTF-8 bytes of the decoded
 /// line. Line 0 means the source as a whole.
 struct Place {
   std::string source;
@@ -29,15 +29,15 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// What went wrong, as far as a caller may want to act on it.
+/// The kind of an error, for callers that handle kinds differently.
 enum class ErrorKind {
   InvalidInput,  ///< the input breaks its format's rules
   Io,            ///< a file could not be read or written
   DataLoss,      ///< refused, because something in the input would be lost
-  Usage,         ///< what was asked for does not fit the input
+  Usage,         ///< the request does not fit the input
 };
 
-/// One thing that was noticed about an input.
+/// One finding about an input.
 struct Diagnostic {
   Severity severity = Severity::Error;
   ErrorKind kind = ErrorKind::InvalidInput;  ///< of errors
@@ -54,31 +54,31 @@ struct Error : Diagnostic {};
 /// Makes an error that has no place in a text.
 Error make_error(ErrorKind kind, std::string code, std::string message, std::string source = {});
 
-/// Collects what is noticed on the way. A parameter of every reader and writer, so that no caller
-/// overlooks it. Keeps at most `kMaxPerCode` diagnostics of one code and severity and counts the
-/// rest, so that a hostile file cannot fill the memory with them.
+/// Collects diagnostics. It is a parameter of every reader and writer, so that no caller overlooks
+/// it. Keeps at most `kMaxPerCode` diagnostics of one code and severity and only counts further
+/// ones, so that a hostile file cannot fill the memory with them.
 class Diagnostics {
  public:
   static constexpr std::size_t kMaxPerCode = 100'000;
 
   /// Adds a diagnostic; a warning becomes an error if `warnings_are_errors`.
   void add(Diagnostic diagnostic);
-  /// Adds one that has no place in a text.
+  /// Adds a diagnostic without a place in a text.
   void add(Severity severity, std::string code, std::string message);
 
-  /// In the order in which they were noticed.
+  /// In the order in which they were added.
   const std::vector<Diagnostic>& items() const { return items_; }
   /// The items in the order of their places, those without a place first.
   std::vector<const Diagnostic*> by_place() const;
-  /// How many were added with this severity, those beyond `kMaxPerCode` included.
+  /// How many were added with this severity, including those beyond `kMaxPerCode`.
   std::size_t count(Severity severity) const;
   bool has_errors() const { return count(Severity::Error) > 0; }
-  /// How many of this code and severity were added, those beyond `kMaxPerCode` included.
+  /// How many of this code and severity were added, including those beyond `kMaxPerCode`.
   std::size_t count_of(const std::string& code, Severity severity) const;
-  /// Whether diagnostics of this code and severity are only counted from now on, so that their
-  /// texts need not be made.
+  /// Whether diagnostics of this code and severity are only counted from now on, so that callers
+  /// need not build their texts.
   bool is_full(const std::string& code, Severity severity) const;
-  /// Adds all of another's, as if they had been noticed here.
+  /// Adds all diagnostics of another collection, as if they had been added here.
   void append(Diagnostics&& other);
   /// The error that came first. Precondition: `has_errors()`.
   Error first_error() const;
@@ -90,8 +90,8 @@ class Diagnostics {
   std::map<std::pair<std::string, Severity>, std::size_t> counts_;
 };
 
-/// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, where
-/// there is one, the source line and a caret. No final newline.
+/// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, if there is
+/// an excerpt, the source line and a caret. No final newline.
 std::string to_string(const Diagnostic& diagnostic);
 
 }  // namespace kinefile

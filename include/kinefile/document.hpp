@@ -21,7 +21,7 @@ struct Document {
   Kept kept;           ///< what its format keeps of the file; see also `Joint::kept`
 };
 
-/// The word for what a document holds: "motion", "skeleton", "body_motion" or "pose_flow".
+/// The name of a document's kind: "motion", "skeleton", "body_motion" or "pose_flow".
 std::string_view kind_name(const Document& document);
 
 /// A set of kinds of documents.
@@ -35,16 +35,16 @@ struct Kinds {
 /// Whether a document is of one of these kinds.
 bool contains(const Kinds& kinds, const Document& document);
 
-/// The error of a document of a kind that something does not take: DOC001 (Usage).
+/// The error for a document of an unsupported kind: DOC001 (Usage).
 /// \param wanted  what was expected: "a motion to write as AMC"
 Error wrong_kind(const Document& document, std::string_view wanted);
 
 /// Checks what every function of documents relies on: see `validate` of a skeleton and of a motion;
-/// the components of a body motion have as many values as they say.
+/// the components of a body motion have as many values as their sizes require.
 /// \errors MDL001 or MDL002 (InvalidInput)
 Result<void> validate(const Document& document);
 
-/// The skeleton of a motion, or the skeleton itself; one without joints for a body motion and a
+/// The skeleton of a motion, or the skeleton itself; an empty skeleton for a body motion and a
 /// flow, which have none.
 const Skeleton& skeleton_of(const Document& document);
 

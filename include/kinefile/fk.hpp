@@ -15,51 +15,52 @@
 
 namespace kinefile {
 
-/// What to tell of where joints are, beside their positions.
+/// What a table of joints shows in addition to positions.
 struct FkOptions {
   bool rest = false;                     ///< the rest pose, as the only frame
   std::string frames = {};               ///< A:B or A:B:STEP (see `parse_range`); empty: all
   std::vector<std::string> joints = {};  ///< by name; empty: all
   bool tips = false;
   bool rotations = false;
-  bool directions = false;  ///< of the bones
+  bool directions = false;  ///< directions of the bones
   bool local = false;       ///< in the frame of each joint's parent
   bool metres = false;      ///< lengths in metres, not in the file's unit
-  std::string name = {};    ///< what errors call the document
+  std::string name = {};    ///< the name of the document in errors
 };
 
-/// Where joints are, frame by frame. Poses are computed when they are asked for, so that a long
-/// motion needs little memory.
+/// Positions of joints, frame by frame. Poses are computed on request, so that a long motion needs
+/// little memory.
 struct FkTable {
-  Placed placed;  ///< of the rest pose: a clip of one frame
+  Placed placed;  ///< for the rest pose: a clip of one frame
   FkOptions options;
   FrameRange frames;
-  std::vector<std::size_t> joints;  ///< which ones, in skeleton order
+  std::vector<std::size_t> joints;  ///< the joints shown, in skeleton order
   double length_scale = 1;          ///< lengths are multiplied by this
 
-  /// What the writers of tables want to know. \returns a view of this, which must outlive it
+  /// The input of the table writers: a view of this table, which must outlive it.
   PoseTable view() const;
 };
 
-/// Prepares a table of where joints are (forward kinematics).
+/// Prepares a table of joint positions (forward kinematics).
 /// \errors CLI001 (Usage) for a skeleton alone without `rest`, frames that the motion does not
-///         have, a name that is no joint's, and metres where the file does not say its unit
+///         have, a name that no joint has, and metres if the file does not specify its unit
 Result<FkTable> fk(Placed placed, const FkOptions& options);
 
-/// The poses of all joints over some frames of a table's clip: in the world, or in the frames of
-/// the joints' parents (`FkOptions::local`). Lengths are in the file's unit.
+/// The poses of all joints over some frames of a table's clip: in the world, or in the frame of
+/// each joint's parent (`FkOptions::local`). Lengths are in the file's unit.
 PoseArrays poses_of(const FkTable& table, const FrameRange& frames);
 
 /// Writes a table as CSV, a block of frames at a time (see `write_pose_csv`). Returns false if the
-/// sink did.
+/// sink returned false.
 bool write_csv(const FkTable& table, const Sink& sink);
 
-/// Writes a table as a JSON object (see `write_pose_json`). Returns false if the sink did.
+/// Writes a table as a JSON object (see `write_pose_json`). Returns false if the sink returned
+/// false.
 bool write_json(const FkTable& table, const Sink& sink);
 
-/// Tells how far kinematics and the recorded poses of links differ, one entry a link.
-/// \errors DOC001 (Usage) if the document is no body motion; CNV002 (Usage) if there is no robot;
-///         those of `robot` and of `robot::compare_recorded_links`
+/// Computes how far kinematics and the recorded poses of links differ, one entry per link.
+/// \errors DOC001 (Usage) if the document is not a body motion; CNV002 (Usage) if there is no
+///         robot; those of `robot` and of `robot::compare_recorded_links`
 Result<std::vector<robot::LinkDeviation>> compare_links(const Document& document,
                                                         const DocumentSource& robot, bool lenient,
                                                         Diagnostics& diagnostics);

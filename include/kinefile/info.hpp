@@ -17,71 +17,72 @@
 
 namespace kinefile {
 
-/// An order in which joints turn: "ZXY", outermost first; ? is an axis that is none of x, y and z.
+/// An order of rotations: "ZXY", outermost first; ? is an axis other than x, y and z.
 struct RotationOrderInfo {
   std::string order;
   std::size_t num_joints = 0;
 };
 
-/// What a skeleton is.
+/// Properties of a skeleton.
 struct SkeletonInfo {
   std::size_t num_joints = 0;
   std::size_t num_roots = 0;
   std::size_t num_tips = 0;
   std::size_t num_dofs = 0;
   std::size_t num_columns = 0;
-  std::vector<RotationOrderInfo> rotation_orders;  ///< of joints that turn, in alphabetical order
+  std::vector<RotationOrderInfo> rotation_orders;  ///< of joints with rotations, in alphabetical
+                                                   ///< order
   std::size_t num_joints_with_translations = 0;
   AngleUnit angle_unit = AngleUnit::Degrees;
-  double metres_per_unit = 0;  ///< 0 where the file does not say
+  double metres_per_unit = 0;  ///< 0 if the file does not specify it
   Box rest_extent;             ///< of the rest pose, in the skeleton's unit of length
 };
 
-/// When frames happen. Times are in seconds.
+/// The times of frames, in seconds.
 struct TimeInfo {
   std::size_t num_frames = 0;
-  std::int64_t first_frame_number = 0;  ///< what the file calls the first frame
+  std::int64_t first_frame_number = 0;  ///< the file's number of the first frame
   double frame_time = 0;
   double frame_rate = 0;
   double nominal_frame_rate = 0;  ///< see `kinefile::nominal_frame_rate`
   double duration = 0;            ///< from the first frame to the last
-  bool has_own_times = false;     ///< the frames have times of their own
+  bool has_own_times = false;     ///< the frames have their own times
 };
 
-/// How a skeleton moves.
+/// Properties of a skeleton's motion.
 struct MotionInfo {
   TimeInfo time;
   Box extent;  ///< over all frames, in the skeleton's unit of length
 };
 
-/// What a component of a body motion is.
+/// Properties of a component of a body motion.
 struct ComponentInfo {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
-  std::string type;  ///< in the words of its file (see `component_type`); may be empty
+  std::string type;  ///< as named in its file (see `component_type`); may be empty
   std::size_t num_parts = 0;
   bool is_root_relative = false;
   TimeInfo time;
 };
 
-/// What a body motion is: angles in radians, lengths in metres.
+/// Properties of a body motion: angles in radians, lengths in metres.
 struct BodyInfo {
   std::vector<ComponentInfo> components;  ///< in the order of the file
   std::optional<TimeInfo> time;           ///< of the main component (see `main_component`)
 };
 
-/// How many blocks of a flow are of one kind.
+/// The number of blocks of one kind in a flow.
 struct BlockCount {
   std::string_view kind;  ///< see `body_name`
   std::size_t num_blocks = 0;
 };
 
-/// What a pose of a flow says of a slider.
+/// A slider in a pose of a flow.
 struct SliderInfo {
   std::size_t slider = 0;
-  std::string name;  ///< the project's; "s3" where there is none
+  std::string name;  ///< from the project; without one "s3"
   std::int16_t word = 0;
-  std::optional<double> degrees;  ///< where the project shows the slider in degrees
+  std::optional<double> degrees;  ///< if the project shows the slider in degrees
 };
 
 /// A pose of a flow, with the sliders that it enables.
@@ -93,34 +94,34 @@ struct PoseInfo {
   std::vector<SliderInfo> sliders;
 };
 
-/// What a flow of poses is.
+/// Properties of a flow of poses.
 struct FlowInfo {
   FlowFormat format = FlowFormat::V1R4;
   std::size_t num_sliders = 0;
   std::size_t num_blocks = 0;
-  std::vector<BlockCount> blocks;  ///< of the kinds that there are, in the order of the model
-  std::vector<PoseInfo> poses;     ///< where they were asked for
+  std::vector<BlockCount> blocks;  ///< of the kinds that occur, in the order of the model
+  std::vector<PoseInfo> poses;     ///< only if requested
 };
 
-/// What a document holds. Of the optional members those are there that its kind has: of a motion
+/// What a document holds. The optional members that belong to its kind are present: for a motion
 /// `skeleton` and `motion`.
 struct Info {
   std::string format;       ///< the name of the format that it was read from
   std::string_view kind;    ///< see `kind_name`
-  std::vector<Fact> facts;  ///< of the file that it was read from (see `facts_of`)
+  std::vector<Fact> facts;  ///< facts about the file that it was read from (see `facts_of`)
   std::optional<SkeletonInfo> skeleton;
   std::optional<MotionInfo> motion;
   std::optional<BodyInfo> body;
   std::optional<FlowInfo> flow;
 };
 
-/// What to tell of a document.
+/// What to include in the info of a document.
 struct InfoOptions {
-  bool poses = false;                     ///< of a flow: its poses, too
-  const RobotProject* project = nullptr;  ///< names sliders and says what degrees are; may be null
+  bool poses = false;                     ///< for a flow: its poses, too
+  const RobotProject* project = nullptr;  ///< gives names and degrees of sliders; may be null
 };
 
-/// Tells what a document holds. Precondition: the document is valid (see `validate`).
+/// Describes what a document holds. Precondition: the document is valid (see `validate`).
 Info info(const Document& document, const InfoOptions& options = {});
 
 }  // namespace kinefile

@@ -14,8 +14,8 @@
 
 namespace kinefile {
 
-/// The bytes of a file, alive as long as this is. They are read, never mapped, so that a file which
-/// somebody cuts short meanwhile is an error and no crash.
+/// The bytes of a file, valid as long as this object lives. They are read, never memory-mapped, so
+/// that a file which is truncated meanwhile is an error and not a crash.
 class FileBytes {
  public:
   /// Reads a file, or standard input for "-".
@@ -26,7 +26,7 @@ class FileBytes {
     return bytes_ == nullptr ? std::string_view()
                              : std::string_view(bytes_->data(), bytes_->size());
   }
-  /// What keeps the bytes alive.
+  /// The owner that keeps the bytes alive.
   std::shared_ptr<const void> owner() const { return bytes_; }
 
  private:
@@ -34,32 +34,33 @@ class FileBytes {
 };
 
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
-/// cannot make its reader open others.
+/// cannot make its reader open other files.
 Resolver files_beside(const std::string& path);
 
 /// Reads a document from bytes.
-/// \param name    how diagnostics call it; its extension tells the format where content does not
+/// \param name    its name in diagnostics; its extension gives the format if the content does not
 /// \param format  null: found from the content, then from the name
-/// \errors FMT001 (InvalidInput) if its format is not known, else the reader's
+/// \errors FMT001 (InvalidInput) if its format is not known, those of the reader
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics);
 
 /// Reads a document from a file.
-/// \param name    the stem of a set of files, too, where `format` is one; "-" is standard input;
-/// diagnostics then call it <stdin> \param format  null: found from the content, then from the
-/// extension \errors IO001 if the file cannot be read, FMT001 if its format is not known, else the
-/// reader's
+/// \param name    a path; the stem of a set of files if `format` is one; "-" is standard input,
+///                which diagnostics call <stdin>
+/// \param format  null: found from the content, then from the extension
+/// \errors IO001 if the file cannot be read, FMT001 if its format is not known, those of the reader
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 
-/// Reads a robot's project and the files that it names, which lie beside it or below.
-/// \param options  how to take encodings and faults; the source and its companions are set here
-/// \errors IO001 if the file cannot be read, else those of `read_project`
+/// Reads a robot's project and the files that it names, which are in its folder or below.
+/// \param options  encoding and leniency; the source name and the companions are set here
+/// \errors IO001 if the file cannot be read, those of `read_project`
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics);
 
-/// A file that appears whole or not at all: written to a temporary name beside it, synced, and
-/// renamed by `commit`. Destroyed before that, it leaves nothing behind.
+/// A file that is written completely or not at all: it is written under a temporary name in the
+/// same folder, synced, and renamed by `commit`. If it is destroyed before that, the temporary file
+/// is deleted.
 class OutputFile {
  public:
   /// \param path     "-" is standard output, which is written at once
@@ -71,13 +72,15 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) noexcept;
   ~OutputFile();
 
-  /// Appends bytes; false after a fault, which `commit` reports.
+  /// Appends bytes; returns false after an error, which `commit` reports.
   bool write(std::string_view bytes);
 
-  /// The first fault, if `write` returned false. \errors IO003
+  /// The first error, if `write` returned false.
+  /// \errors IO003
   Result<void> fault() const;
 
-  /// Brings the file to its name. \errors IO003
+  /// Renames the file to its final name.
+  /// \errors IO003
   Result<void> commit();
 
  private:
@@ -86,16 +89,16 @@ class OutputFile {
   std::unique_ptr<State> state_;
 };
 
-/// Where output goes: files by name, which appear all together or not at all. The disk is one such
-/// place, memory another.
+/// A destination of output: named files, which are committed all together or not at all. The disk
+/// is one such destination, memory another.
 struct OutputFiles {
-  /// Starts a file; its bytes go to the sink.
+  /// Starts a file; the sink takes its bytes.
   std::function<Result<Sink>(const std::string& name)> open;
-  /// What went wrong while a file's bytes were taken, once a sink has returned false.
+  /// The error of a file, after its sink has returned false.
   std::function<Result<void>()> fault;
-  /// Whether a file of this name is there that was not started here.
+  /// Whether a file of this name exists that was not started here.
   std::function<bool(const std::string& name)> exists;
-  /// Brings all files to their names. Where one of them cannot be, none that is new stays.
+  /// Renames all files to their final names. If one of them fails, no new file stays.
   std::function<Result<void>()> commit;
 };
 
@@ -110,17 +113,17 @@ struct MemoryFile {
 };
 
 /// Files in memory.
-/// \param files  takes them when they are committed
+/// \param files  receives them when they are committed
 OutputFiles files_in_memory(std::shared_ptr<std::vector<MemoryFile>> files);
 
-/// Writes a document: its file, and those that belong to it (the skeleton of an AMC file, the
-/// files of a set), but for standard output, which takes one file. Nothing is committed.
+/// Writes a document: its file, and the files that belong to it (the skeleton of an AMC file, the
+/// files of a set). Standard output takes one file only. Nothing is committed.
 /// \errors those of `files` and of the format's writer; FMT002 if the format cannot be written
 Result<void> write(const std::string& name, const Document& document, const Format& format,
                    const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics);
 
-/// Writes a document to a file, whole or not at all; and its companion of the same name beside it,
-/// if its format has one (the skeleton of an AMC file), but not for standard output.
+/// Writes a document to a file, completely or not at all. Also writes the companion with the same
+/// stem if its format has one (the skeleton of an AMC file), but not for standard output.
 /// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, bool replace, Diagnostics& diagnostics);

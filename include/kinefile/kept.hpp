@@ -10,12 +10,12 @@
 
 namespace kinefile {
 
-/// A value of any type, which only the code that knows the type can look into: what a format keeps
-/// of a file, a joint or a component beyond the model, to write the same again. Copies share the
-/// value, which never changes. Several threads may copy and read one at once.
+/// A value of any type, which only code that knows the type can access. A format keeps in it what
+/// the model does not hold of a file, a joint or a component, to write it again unchanged. Copies
+/// share the value, which never changes. Several threads may copy and read it at once.
 class Kept {
  public:
-  /// Nothing.
+  /// No value.
   Kept() = default;
 
   /// Keeps a value.

@@ -10,21 +10,22 @@
 
 namespace kinefile {
 
-/// A joint that goes where its robot, or its figure, cannot, or faster.
+/// A joint that exceeds a limit of position or speed.
 struct LimitBreach {
   enum class Kind { Below, Above, TooFast };
   Kind kind = Kind::Below;
   std::size_t joint = 0;
-  std::size_t dof = 0;          ///< which of the joint's degrees of freedom
-  std::size_t first_frame = 0;  ///< of TooFast: the later of the two frames
+  std::size_t dof = 0;          ///< the index among the joint's degrees of freedom
+  std::size_t first_frame = 0;  ///< for TooFast: the later of the two frames
   std::size_t num_frames = 0;   ///< how many frames are beyond the limit
-  double worst = 0;             ///< the value furthest beyond it, or the highest speed a second
+  double worst = 0;             ///< the value furthest beyond the limit, or the highest speed per
+                                ///< second
   std::size_t worst_frame = 0;
   double limit = 0;
 };
 
-/// Finds the joints of a motion that leave the limits of their degrees of freedom: for each degree
-/// of freedom and side one entry, in skeleton order. Values that are not finite are passed over.
+/// Finds the joints of a motion that leave the limits of their degrees of freedom: one entry per
+/// degree of freedom and kind of breach, in skeleton order. Values that are not finite are skipped.
 std::vector<LimitBreach> find_limit_breaches(const Motion& motion);
 
 }  // namespace kinefile

@@ -8,15 +8,15 @@
 
 namespace kinefile {
 
-/// A skeleton and how it moves. `clip.num_coordinates == skeleton.coordinates.size()`.
+/// A skeleton and its values over time. `clip.num_coordinates == skeleton.coordinates.size()`.
 struct Motion {
   Skeleton skeleton;
   Clip clip;
 };
 
-/// Checks what every other function relies on: the skeleton is valid, the clip has a column for
-/// each of its coordinates and as many values as it says, frames have finite times.
-/// \errors MDL001 as for the skeleton; MDL002 (InvalidInput) for the clip
+/// Checks what every other function relies on: the skeleton is valid, the clip has one column per
+/// coordinate and as many values as rows and columns require, frames have finite times.
+/// \errors MDL001 for the skeleton; MDL002 (InvalidInput) for the clip
 Result<void> validate(const Motion& motion);
 
 }  // namespace kinefile

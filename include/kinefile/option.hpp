@@ -13,31 +13,32 @@
 
 namespace kinefile {
 
-/// What an option takes.
+/// The type of an option's value.
 enum class OptionType {
-  Flag,    ///< nothing: it is given or not
+  Flag,    ///< no value: the option is given or not
   Number,  ///< a finite number
   Count,   ///< a whole number
-  Choice,  ///< one of some words
+  Choice,  ///< one of a list of words
   Text,    ///< any other text
   File,    ///< the name of a file
 };
 
-/// What the command's flags, its man page and completions, Python's keywords and the page's
-/// controls know of an option of a format or a parameter of an operation.
+/// Describes an option of a format or a parameter of an operation. The command's flags, man page
+/// and completions, Python's keywords and the page's controls are made from it.
 struct OptionInfo {
-  std::string_view name;  ///< the flag's without dashes: "seq-version"
+  std::string_view name;  ///< the flag without dashes: "seq-version"
   OptionType type = OptionType::Text;
-  std::string_view value_name = {};  ///< what help calls the value: "N"; empty for a flag
+  std::string_view value_name = {};  ///< the name of the value in help: "N"; empty for a flag
   std::string_view help = {};        ///< what it does, in one line
-  std::span<const std::string_view> choices = {};  ///< of a choice, in the order of its enum
-  std::string_view default_word = {};  ///< what holds without the option; empty: nothing to say
-  std::string_view wanted = {};  ///< of a text or a number, in an error: "frames a second above 0"
-  double least = std::numeric_limits<double>::lowest();  ///< of a number or a count, included
+  std::span<const std::string_view> choices = {};  ///< for a choice, in the order of its enum
+  std::string_view default_word = {};              ///< the default, for help; empty: not shown
+  std::string_view wanted = {};  ///< for a text or a number, what an error expects: "frames a
+                                 ///< second above 0"
+  double least = std::numeric_limits<double>::lowest();  ///< for a number or a count, inclusive
   double most = std::numeric_limits<double>::max();
-  bool is_required = false;  ///< of an operation: whether it must be given
-  /// Of a parameter of an operation: what stands before it in the operation's word; 0 where it is
-  /// told by its name: ",blend=10".
+  bool is_required = false;  ///< for a parameter of an operation: it must be given
+  /// For a parameter of an operation: the character before it in the operation's word; 0 for a
+  /// named parameter: ",blend=10".
   char separator = 0;
 };
 
@@ -45,12 +46,12 @@ struct OptionInfo {
 template <class Target>
 struct Option {
   OptionInfo info;
-  /// Reads a word into the member; of a flag the word is not looked at. Returns false, and changes
-  /// nothing, if the word is not what the option takes. Null for a file that the caller reads.
+  /// Reads a word into the member; for a flag the word is ignored. Returns false, and changes
+  /// nothing, if the word is not valid for the option. Null for a file that the caller reads.
   bool (*set)(Target& target, const OptionInfo& info, std::string_view word) = nullptr;
 };
 
-/// The option of a name, or null.
+/// The option with this name, or null.
 template <class Target>
 const Option<Target>* find_option(std::span<const Option<Target>> table, std::string_view name) {
   for (const Option<Target>& option : table) {
@@ -59,19 +60,19 @@ const Option<Target>* find_option(std::span<const Option<Target>> table, std::st
   return nullptr;
 }
 
-/// Options of single formats: structs of the formats' own (`bvh::ReadOptions`), at most one of a
-/// type.
+/// Options of single formats: structs that the formats define (`bvh::ReadOptions`), at most one of
+/// each type.
 class FormatOptions {
  public:
   FormatOptions() = default;
 
   /// The options of one format: `{.of_formats = bvh::ReadOptions{...}}`.
   template <class T>
-    requires(!std::is_same_v<std::remove_cvref_t<T>, FormatOptions>)
-  FormatOptions(T&& options)  // NOLINT(*-explicit-*): the struct is what it is made of
+  requires(!std::is_same_v<std::remove_cvref_t<T>, FormatOptions>)
+      FormatOptions(T&& options)  // NOLINT(*-explicit-*): the struct is what it is made of
       : structs_{std::any(std::forward<T>(options))} {}
 
-  /// The options of a type as they were set, else their defaults.
+  /// The options of type T as they were set, otherwise their defaults.
   template <class T>
   const T& get() const {
     static const T kDefaults{};
@@ -81,7 +82,7 @@ class FormatOptions {
     return kDefaults;
   }
 
-  /// The options of a type, to be set.
+  /// The options of type T, for writing.
   template <class T>
   T& edit() {
     for (std::any& known : structs_) {

@@ -13,9 +13,9 @@
 
 namespace kinefile {
 
-/// Which of RobovieMaker's two formats a flow is written in; they differ in what a flow can say.
+/// Which of RobovieMaker's two formats a flow has; they differ in what they can express.
 enum class FlowFormat {
-  WordN,  ///< POSEDEF_WORD_N, RobovieMaker for VS-RC003: poses alone, each with next and break
+  WordN,  ///< POSEDEF_WORD_N, RobovieMaker for VS-RC003: only poses, each with next and break
   V1R4,   ///< POSEDEF_V1R4, RobovieMaker2: blocks of seven kinds
 };
 
@@ -24,10 +24,10 @@ inline constexpr int kMaxTicks = 239;
 inline constexpr std::size_t kNumServos = 30;
 /// How many variables a robot has; the first ones are the sliders.
 inline constexpr std::size_t kNumVariables = 256;
-/// No block: an arrow that leads nowhere.
+/// No block: the target of an arrow that leads nowhere.
 inline constexpr int kNoBlock = -1;
 
-/// How many sliders a flow has at most: 64 and 62.
+/// The maximum number of sliders of a flow: 64 (WORD_N) or 62 (V1R4).
 constexpr std::size_t max_sliders(FlowFormat format) {
   return format == FlowFormat::V1R4 ? 62 : 64;
 }
@@ -37,11 +37,11 @@ constexpr std::string_view header_word(FlowFormat format) {
   return format == FlowFormat::V1R4 ? "POSEDEF_V1R4" : "POSEDEF_WORD_N";
 }
 
-/// What a pose says of one slider: its actual value, in the units of that slider.
+/// The word of one slider in a pose: its actual value, in the units of that slider.
 struct SliderWord {
   std::int16_t value = 0;
-  bool is_enabled =
-      false;  ///< written 0x; 0X is a slider that was disabled when the file was saved
+  /// Written 0x; 0X is a slider that was disabled when the file was saved.
+  bool is_enabled = false;
   bool operator==(const SliderWord&) const = default;
 };
 
@@ -53,16 +53,16 @@ struct EndBlock {
   bool operator==(const EndBlock&) const = default;
 };
 
-/// Brings the sliders to their values in some time.
+/// Moves the sliders to their values in a given time.
 struct PoseBlock {
   int ticks = 1;                      ///< 1 to `kMaxTicks`: the time to reach it
-  std::vector<SliderWord> words;      ///< one a slider: `PoseFlow::num_sliders`
+  std::vector<SliderWord> words;      ///< one per slider: `PoseFlow::num_sliders`
   std::string sound;                  ///< a path relative to the project; empty: none
   std::bitset<kNumServos> servo_off;  ///< by channel; 1 in the file: without power
   bool operator==(const PoseBlock&) const = default;
 };
 
-/// Goes the normal way as long as the motion's button is held, the branch once it is not.
+/// Follows the normal arrow while the motion's button is held, otherwise the branch.
 struct LoopBlock {
   bool operator==(const LoopBlock&) const = default;
 };
@@ -74,18 +74,18 @@ struct ArithmeticBlock {
   int variable = 0;  ///< 0 to 255
   Arithmetic operation = Arithmetic::Assign;
   bool has_variable_operand = false;  ///< _VARVAR: `operand` is a variable's number
-  int operand = 0;                    ///< else a constant, -32768 to 32767
+  int operand = 0;                    ///< otherwise a constant, -32768 to 32767
   bool operator==(const ArithmeticBlock&) const = default;
 };
 
 enum class Condition { Undefined, AtLeast, AtMost, BitsMatch, Equal, NotEqual, Always, Never };
 
-/// Goes one of two ways.
+/// Follows one of two arrows.
 struct BranchBlock {
   int variable = 0;  ///< 0 to 255
   Condition condition = Condition::Undefined;
-  int detail =
-      0;  ///< a threshold; of `BitsMatch` the wanted bits above, their mask in the low byte
+  /// A threshold; for `BitsMatch` the wanted bits in the high byte, their mask in the low byte.
+  int detail = 0;
   bool operator==(const BranchBlock&) const = default;
 };
 
@@ -94,25 +94,26 @@ using BlockBody =
 
 /// A block of a flow. Its number is its place in `PoseFlow::blocks`.
 struct Block {
-  std::string name;       ///< V1R4 alone, as are the next four
+  std::string name;       ///< V1R4 only, as are the next four members
   int x = 0, y = 0;       ///< where the editor draws it
-  int normal_turn = 6;    ///< how far its normal arrow goes before it turns
-  int branch_turn = 6;    ///< and its branch
-  int normal = kNoBlock;  ///< the block that follows; of WORD_N "next"
-  int branch = kNoBlock;  ///< the other one, of loops and branches; of WORD_N "break" of a pose
+  int normal_turn = 6;    ///< the distance at which its normal arrow turns in the editor
+  int branch_turn = 6;    ///< the same for its branch
+  int normal = kNoBlock;  ///< the next block; WORD_N: "next"
+  int branch = kNoBlock;  ///< the other next block of loops and branches; WORD_N: "break" of a pose
   BlockBody body;
-  std::size_t line = 0;  ///< where its body stands in the file; 0: nowhere
+  std::size_t line = 0;  ///< the line of its body in the file; 0: none
 };
 
-/// The same blocks, wherever they stood in a file.
+/// Compares blocks except for their lines in a file.
 bool operator==(const Block& a, const Block& b);
 
-/// A program for a servo robot: poses, loops, branches, arithmetic. It has no duration until it is
-/// run (`flow::run`), and no angles until a servo map says what its words mean.
+/// A program for a servo robot: poses, loops, branches, arithmetic. It gets a duration when it is
+/// run (`flow::run`), and angles when a servo map gives its words a meaning.
 /// Source: spec roboviemaker-motion ("RobovieMaker2 course", no. 6).
 struct PoseFlow {
   FlowFormat format = FlowFormat::V1R4;
-  std::size_t num_sliders = 0;  ///< _ENABLE_AXIS: words of every pose, of sliders 0 up
+  std::size_t num_sliders = 0;  ///< _ENABLE_AXIS: the number of words of every pose, for sliders 0
+                                ///< and up
   std::vector<Block> blocks;    ///< in the file's order, which is not that of the flow
   bool operator==(const PoseFlow&) const = default;
 };
@@ -120,26 +121,26 @@ struct PoseFlow {
 /// The block where a flow begins: pose 0, or the first start block; `kNoBlock` if there is none.
 int first_block(const PoseFlow& flow);
 
-/// The blocks that an arrow of this one leads to, as far as it can be taken: the normal one, and of
-/// loops, branches and WORD_N poses the other. -1 is left out.
+/// The targets of a block's arrows that can be followed: of the normal arrow, and for loops,
+/// branches and WORD_N poses of the branch. `kNoBlock` is omitted.
 std::vector<int> successors(const PoseFlow& flow, std::size_t block);
 
-/// Whether a way leads to a block from the first one; shape (blocks). None does without a first
-/// one.
+/// Whether each block is reachable from the first one; shape (blocks). All false without a first
+/// block.
 std::vector<bool> reachable_blocks(const PoseFlow& flow);
 
 /// "start", "end", "pose", "loop", "arithmetic" or "branch".
 std::string_view body_name(const Block& block);
 
-/// What is odd about the way that a flow takes. None of it keeps a file from being read.
+/// A doubtful structure of a flow. A file with it can still be read.
 enum class FlowFault {
-  Unreachable,   ///< no way leads to the block
-  DeadEnd,       ///< the normal arrow of a block that is no end leads nowhere; of WORD_N that is
-                 ///< how flows end
-  NoBranch,      ///< the branch of a loop or branch block leads nowhere
-  EndlessCycle,  ///< poses that go round for ever; told once, of its first block
-  CycleWithoutPose,  ///< blocks that can go round and take no time at all
-  NoEnd,             ///< V1R4: there is no end block; of block 0
+  Unreachable,       ///< no path leads to the block
+  DeadEnd,           ///< the normal arrow of a block other than an end block leads nowhere; not for
+                     ///< WORD_N, where flows end this way
+  NoBranch,          ///< the branch of a loop or branch block leads nowhere
+  EndlessCycle,      ///< poses in an endless cycle; reported once, at its first block
+  CycleWithoutPose,  ///< blocks in a cycle that can take no time
+  NoEnd,             ///< V1R4: there is no end block; reported at block 0
 };
 
 struct FlowFinding {
@@ -147,7 +148,7 @@ struct FlowFinding {
   std::size_t block = 0;
 };
 
-/// Looks at all ways through a flow, without running it. In the order of blocks.
+/// Analyses all paths through a flow, without running it. Results are in the order of blocks.
 /// Precondition: arrows lead to blocks or to `kNoBlock`.
 std::vector<FlowFinding> find_flow_faults(const PoseFlow& flow);
 

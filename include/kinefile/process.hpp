@@ -17,58 +17,58 @@
 
 namespace kinefile {
 
-/// Gets a document when it is needed: a skeleton, a robot. Null: there is none.
+/// Provides a document on demand: a skeleton, a robot. Null: there is none.
 using DocumentSource =
     std::function<Result<std::shared_ptr<const Document>>(Diagnostics& diagnostics)>;
 
-/// How a document is brought into a form that a format can take.
+/// How a document is converted to a form that a format can write.
 struct AdaptOptions {
-  shape::ChannelOptions channels = {};  ///< that a motion is to have
-  KindOptions kinds = {};               ///< but for the model, which `robot` or `skeleton` gives
-  /// The skeleton that the output is to have (ASF), or the robot that the motion is of.
+  shape::ChannelOptions channels = {};  ///< the channels that a motion shall have
+  KindOptions kinds = {};               ///< except for the model, which `robot` or `skeleton` gives
+  /// The skeleton that the output shall have (ASF), or the robot of the motion.
   DocumentSource skeleton = {};
-  std::string skeleton_name = {};  ///< what that file is called; empty: there is none
-  DocumentSource robot = {};       ///< a robot that a motion goes onto; else `skeleton` is it
+  std::string skeleton_name = {};  ///< the name of that file; empty: there is none
+  DocumentSource robot = {};       ///< the robot to which a motion is transferred; null: `skeleton`
+                                   ///< is used
 };
 
-/// An option of `adapt`, for flags and keywords. Those that are files are read by the caller.
+/// An option of `adapt`, for flags and keywords. The caller reads options that are files.
 struct AdaptOption {
   Option<AdaptOptions> option;
-  bool (*is_for)(const Format& output) =
-      nullptr;  ///< whether it can have an effect on the way there
+  bool (*is_for)(const Format& output) = nullptr;  ///< whether it can affect this output format
 };
 
-/// Every option of `adapt`, in the order in which they are listed.
+/// All options of `adapt`, in the order in which they are listed.
 std::span<const AdaptOption> adapt_options();
 
-/// Brings a document into the kind and the form that a format can take: see `in_kind_of`,
-/// `on_skeleton_of`, `adapted_to`. What had to be done is told in notes.
-/// \param options  what the format's writer is told; out: whether a companion is to be written
-/// \errors those of these three, and of the sources
+/// Converts a document to the kind and the form that a format can write: see `in_kind_of`,
+/// `on_skeleton_of`, `adapted_to`. Notes report each change.
+/// \param options  in: for the format's writer; out: also whether a companion is written
+/// \errors those of these three functions, and of the sources
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
                        WriteOptions& options, Diagnostics& diagnostics);
 
 /// One job: read a document, change it by operations, write it.
 struct Job {
-  std::string source;  ///< a path, or what diagnostics call `bytes`
+  std::string source;  ///< a path, or the name of `bytes` in diagnostics
   std::optional<std::string_view> bytes = std::nullopt;  ///< read instead of a file
-  const Format* from = nullptr;                          ///< null: content and name tell
+  const Format* from = nullptr;                          ///< null: detected from content and name
   ReadOptions reading = {};
   std::vector<Operation> operations = {};
   OperationContext context = {};
   std::string target;          ///< the output's name; its companions are named after it
-  const Format* to = nullptr;  ///< null: the target's name tells
+  const Format* to = nullptr;  ///< null: detected from the target's name
   AdaptOptions adapting = {};
   WriteOptions writing = {};
 };
 
-/// What came of a job.
+/// The result of a job.
 struct Report {
-  Diagnostics diagnostics;         ///< what was noticed on the way, errors among it
-  std::optional<Error> error;      ///< what ended it; absent: it was done
-  std::vector<std::string> files;  ///< the names that were written
-  std::string_view kind;           ///< of what was read: "motion", ...; empty: nothing was
-  std::size_t num_frames = 0;      ///< of what was written, if it is a motion
+  Diagnostics diagnostics;         ///< all diagnostics, including errors
+  std::optional<Error> error;      ///< the error that ended the job; absent: it succeeded
+  std::vector<std::string> files;  ///< the names of the files written
+  std::string_view kind;           ///< of the document read: "motion", ...; empty: none was read
+  std::size_t num_frames = 0;      ///< of the document written, if it is a motion
 };
 
 /// Runs a job. Prints nothing; nothing is written if any step fails.

@@ -11,16 +11,16 @@
 
 namespace kinefile {
 
-/// A value or an `Error`. Unlike the class it stands on, it cannot be dropped unseen.
+/// A value or an `Error`. Unlike its base class it is [[nodiscard]], so that no error is ignored.
 template <class T>
 class [[nodiscard]] Result : public tl::expected<T, Error> {
  public:
   using tl::expected<T, Error>::expected;
 };
 
-/// Turns an error into the failed state of any `Result`.
+/// Converts an error to a failed `Result` of any type.
 inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
-/// The same of an error that has no place in a text.
+/// As above, with an error that has no place in a text.
 inline tl::unexpected<Error> fail(ErrorKind kind, std::string code, std::string message) {
   return fail(make_error(kind, std::move(code), std::move(message)));
 }

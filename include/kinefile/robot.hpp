@@ -15,98 +15,100 @@
 
 namespace kinefile::robot {
 
-/// A component as a motion of loose parts: every pose a joint that moves freely (roll, pitch and
-/// yaw three translations and three rotations), every vector one that moves along x, y and z, every
-/// value one along x. Values stay as they are, bit for bit. Joints are called link0, link1, ...,
-/// joint0, ..., or by the content.
+/// A component as a motion of separate parts. Each pose becomes a joint that moves freely (with
+/// roll, pitch and yaw: three translations and three rotations), each vector a joint with
+/// translations along x, y and z, each value a joint with a translation along x. Values stay the
+/// same bit for bit. Joints are named link0, link1, ..., joint0, ..., or by the content.
 Motion motion_of_component(const Component& component);
 
 /// A component with the frames, values and rate of the motion that `motion_of_component` made.
 Component with_frames_of(const Component& component, const Motion& motion);
 
-/// The links of a body motion in the world, as they were recorded: no model is needed.
+/// The links of a body motion in the world, as recorded: no model is needed.
 /// \errors BRG010 (Usage) if it has no link poses
 Result<Motion> motion_of_links(const BodyMotion& motion);
 
-/// All components side by side, as one motion of loose parts: those that have as many frames as the
-/// main one (links, else joints, else the first); others are told and left out.
+/// All components side by side, as one motion of separate parts: those that have as many frames as
+/// the main one (links, otherwise joints, otherwise the first). Others are omitted, with a
+/// diagnostic.
 Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics);
 
 /// The same motion with three translations, along x, y and z, and three rotations, about z, y and
-/// x, in the place of each joint that moves freely. Angles go on from the frame before.
+/// x, instead of each joint that moves freely. Angles are nearest to the previous frame.
 Motion without_free_joints(const Motion& motion);
 
-/// Puts a body motion on a robot: the first link's pose moves the root, joint displacements move
-/// the joints, in order of their ids. Length and rate are those of the link poses, else those of
-/// the joint displacements. Without joint displacements, link poses of all links give them. What is
-/// missing rests; what is too much is told and left out. A joint that follows another (a mimic
-/// joint) follows it, whatever is recorded of it.
-/// \param skeleton  of a robot: a free root, columns in order of joint ids
+/// Applies a body motion to a robot: the first link's pose moves the root, joint displacements move
+/// the joints, in order of their ids. Length and rate are those of the link poses, otherwise those
+/// of the joint displacements. Without joint displacements, they are computed from link poses of
+/// all links. Joints without values keep their rest values; values without a joint are dropped,
+/// with a diagnostic. A joint that follows another (a mimic joint) follows it, regardless of its
+/// recorded values.
+/// \param skeleton  a robot's: a free root, columns in order of joint ids
 /// \errors BRG010 (Usage) if there are neither link poses nor joint displacements;
-///         BRG011 (InvalidInput) if there are fewer frames of joints than of links and not
-///         `lenient`, which holds the last; BRG012 (Usage) if the root of the skeleton is not
-///         free; BRG017 (DataLoss) if a joint that follows another was recorded elsewhere and not
-///         `lenient`, which warns
+/// BRG011 (InvalidInput) if there are fewer frames of joints than of links (`lenient` repeats the
+/// last frame); BRG012 (Usage) if the root of the skeleton is not free; BRG017 (DataLoss) if the
+/// recorded value of a joint that follows another differs (`lenient` warns)
 Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool lenient,
                     Diagnostics& diagnostics);
 
-/// Puts recorded poses of links in the place of those that kinematics found, as far as links were
-/// recorded; the first one moved the root already.
-/// \param poses  of the motion that `pose` made
+/// Replaces the link poses of kinematics by recorded ones, for the links that were recorded. The
+/// first link is skipped because it moved the root already.
+/// \param poses  the poses of the motion from `pose`
 void put_recorded_links(const BodyMotion& motion, const Skeleton& skeleton, PoseArrays& poses);
 
 /// How far kinematics and the recorded poses of a link differ.
 struct LinkDeviation {
   std::string link;
-  double distance = 0;  ///< metres, the largest
+  double distance = 0;  ///< the largest distance, in metres
   std::size_t distance_frame = 0;
-  double degrees = 0;  ///< the largest angle between rotations
+  double degrees = 0;  ///< the largest angle between the rotations
   std::size_t degrees_frame = 0;
 };
 
-/// Compares kinematics with recorded links, one entry a link that was recorded.
+/// Compares kinematics with recorded links, one entry per recorded link.
 /// \errors those of `pose`; BRG010 if no links were recorded
 Result<std::vector<LinkDeviation>> compare_recorded_links(const BodyMotion& motion,
                                                           const Skeleton& skeleton, bool lenient,
                                                           Diagnostics& diagnostics);
 
-/// Which of the three usual forms of a body motion is wanted.
+/// The form of a body motion.
 enum class BodyForm {
   Links,   ///< the poses of all links
   Joints,  ///< the pose of the root link and the displacements of all joints
   Both,
 };
 
-/// Makes a body motion of a motion. Of a robot (a free root, joints of one degree of freedom),
-/// values stay as they are, and every joint id has one: that of a joint which follows another is
-/// what it has by that; any other motion's joints become links. Lengths become metres, angles
+/// Makes a body motion from a motion. For a robot (a free root, joints with one degree of freedom),
+/// values stay the same, and every joint id has one: a joint that follows another gets the
+/// resulting value. The joints of any other motion become links. Lengths become metres, angles
 /// radians.
-/// \param other  a body motion whose further components (ZMP, ...) go along; may be null
+/// \param other  a body motion whose other components (ZMP, ...) are copied; may be null
 /// \errors BRG013 (Usage) if `form` wants joints and the motion is not a robot's
 Result<BodyMotion> project(const Motion& motion, BodyForm form, const BodyMotion* other,
                            Diagnostics& diagnostics);
 
-/// What joints of figures and links of robots are called, so that they can be matched.
+/// Which names of robot links and figure joints belong together.
 struct RobotNames {
-  std::map<std::string, std::string> source_of;  ///< a link or joint of the robot to the joint of
-                                                 ///< the figure that it follows
+  std::map<std::string, std::string> source_of;  ///< maps a link or joint of the robot to the joint
+                                                 ///< of the figure that it follows
 };
 
-/// Puts a motion on a robot: each link follows the joint of its name, of its joint's name, or that
-/// `names` says; the root follows the root. A link turns from its rest pose as the joint does from
-/// its own; up to three joints in a row bring that about. Positions are the root's, in metres. z is
-/// up in both. What cannot be done is told in warnings; feet may slide and float.
-/// \errors BRG012 (Usage) if `robot` is none; BRG016 (Usage) if no names match
+/// Transfers a motion to a robot. Each link follows the joint with its name or its joint's name, or
+/// the one given by `names`; the root follows the root. A link gets the same rotation relative to
+/// its rest pose as the joint; up to three consecutive robot joints produce it. Only the root is
+/// translated, in metres. z is up in both. Warnings report what the robot cannot do; feet may slide
+/// and float.
+/// \errors BRG012 (Usage) if `robot` is not a robot; BRG016 (Usage) if no names match
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
                               Diagnostics& diagnostics);
 
 /// Whether a skeleton is a robot's as our readers make it: one root, which moves freely from the
-/// world's origin and reads the first seven columns, and joints that turn or translate in one way
-/// at most, by other columns.
+/// world's origin and reads the first seven columns, and joints with at most one rotation or
+/// translation, which read other columns.
 bool is_robot(const Skeleton& skeleton);
 
-/// Brings ZMP into the world's frame, or into the root link's: z = R^-1 (p - root). Choreonoid's
-/// own function computes R^-1 p - root.
+/// Transforms the ZMP to the world frame, or to the root link's frame: z = R^-1 (p - root).
+/// Choreonoid's own function computes R^-1 p - root.
 /// \errors BRG010 (Usage) if there is no ZMP or no link pose
 Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnostics& diagnostics);
 

@@ -16,7 +16,7 @@
 
 namespace kinefile::servo {
 
-/// Angles of joints over time, each joint by its name.
+/// Angles of named joints over time.
 struct JointTrajectory {
   std::vector<std::string> joints;
   std::size_t num_frames = 0;
@@ -24,41 +24,43 @@ struct JointTrajectory {
   Array<double> angles;  ///< [frame][joint], in radians
 };
 
-/// What a robot did, as displacements of joints at every tick.
-/// \param robot  joint ids are those of its joints; null: the map's entries in their order
-/// \errors SVM010 (Usage) if no joint of the map is the robot's; others are told and left out
+/// A run as joint displacements at every tick.
+/// \param robot  gives the joint ids; null: the map's entries in their order
+/// \errors SVM010 (Usage) if the robot has no joint of the map; missing single joints are omitted,
+///         with a diagnostic
 Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skeleton* robot,
                           Diagnostics& diagnostics);
 
-/// The same, of a skeleton whose joints a map names, a robot's or a figure's; all else rests.
+/// A run as a motion of a skeleton whose joints the map names, a robot's or a figure's. All other
+/// joints keep their rest values.
 /// \errors SVM010 (Usage) if it has none of them
 Result<Motion> motion_of_run(const flow::Run& run, const ServoMap& map, const Skeleton& skeleton,
                              Diagnostics& diagnostics);
 
-/// The joints that a map names, out of a motion: by joint or JOINT.CHANNEL, whatever its angle
-/// unit. Frames with times of their own are interpolated at the map's ticks.
-/// \errors SVM010 (Usage) if it has none of them; those that are missing are told and left out,
-///         so that their sliders stay disabled
+/// The joints that a map names, from a motion in any angle unit: by joint or JOINT.CHANNEL. Frames
+/// with their own times are interpolated at the map's ticks.
+/// \errors SVM010 (Usage) if it has none of them; missing single joints are omitted, with a
+///         diagnostic, and their sliders stay disabled
 Result<JointTrajectory> trajectory_of(const Motion& motion, const ServoMap& map,
                                       Diagnostics& diagnostics);
 
-/// The joints that a map names, out of joint displacements: joint ids by the robot's joints;
-/// without a robot joints by the names that the motion has of them, or else in the order of the
-/// map's entries. As above otherwise.
+/// The joints that a map names, from joint displacements. The robot gives the joint ids; without a
+/// robot, joints are matched by the names in the motion, otherwise by the order of the map's
+/// entries. Apart from that as above.
 /// \errors BRG010 (Usage) if there are no joint displacements; SVM010
 Result<JointTrajectory> trajectory_of(const BodyMotion& motion, const ServoMap& map,
                                       const Skeleton* robot, Diagnostics& diagnostics);
 
-/// How a trajectory becomes poses.
+/// How a trajectory is approximated by poses.
 struct KeyframeOptions {
-  std::optional<std::size_t> num_poses;  ///< at most so many, with the least largest error
-  std::optional<double> tolerance;       ///< in degrees: as few poses as keep to it
+  std::optional<std::size_t> num_poses;  ///< at most this many, with the smallest maximum error
+  std::optional<double> tolerance;       ///< in degrees: the fewest poses within it
   FlowFormat format = FlowFormat::V1R4;
-  int lead_in_ticks = 60;  ///< the time of the first pose, in which the robot goes from where it
-                           ///< stands to the first frame
+  int lead_in_ticks = 60;  ///< the time of the first pose, in which the robot moves from its
+                           ///< current pose to the first frame
 };
 
-/// How far a flow, as it runs, is from the trajectory that it was made of.
+/// How far a running flow deviates from its trajectory.
 struct KeyframeError {
   std::string joint;
   double largest = 0;  ///< degrees
@@ -69,23 +71,23 @@ struct KeyframeError {
 struct Keyframes {
   PoseFlow flow;
   std::vector<std::size_t> ticks;     ///< when each pose is reached
-  std::vector<KeyframeError> errors;  ///< one a joint
+  std::vector<KeyframeError> errors;  ///< one per joint
 };
 
-/// Makes a flow of poses that follows a trajectory, from its first frame to its last. Times of
-/// poses are whole ticks, 1 to 239 apart; dynamic programming over all of them finds those whose
-/// lines between words, rounded and limited as the map says and as `flow::run` goes, keep closest
-/// to the trajectory at every tick: with `num_poses` the least largest error, with `tolerance` the
-/// fewest poses.
-/// Of several best flows it is one with the fewest poses, and with the least largest error.
+/// Makes a flow of poses that approximates a trajectory, from its first frame to its last. Times of
+/// poses are whole ticks, 1 to 239 apart. Dynamic programming over all of them finds the best
+/// poses; the error is that of the interpolated words at every tick, rounded and limited by the map
+/// and interpolated as by `flow::run`. With `num_poses` the maximum error is minimised, with
+/// `tolerance` the number of poses. Of several best flows, the result has the fewest poses and the
+/// smallest maximum error.
 /// The last tick is the one at or after the time of the last frame, which it shows; between frames
-/// the trajectory is a straight line. The word of a pose is that of the trajectory at its tick,
-/// rounded to the map's steps and limited. With `num_poses`, what limits cut off does not count,
-/// since no poses can give it. Sliders of no joint are disabled (0X0000).
-/// \errors KEY001 (Usage) if neither or both are given, or neither can be; KEY002 (InvalidInput)
-///         if words cannot come within the tolerance, with the joint and the time; KEY004
-///         (InvalidInput) for angles that are no numbers; SVM010. Angles beyond the limits of a
-///         joint's words are told (KEY003)
+/// the trajectory is linear. The word of a pose is that of the trajectory at its tick, rounded to
+/// the map's steps and limited. With `num_poses`, errors caused by limits are not counted, because
+/// no poses can avoid them. Sliders without a joint are disabled (0X0000).
+/// \errors KEY001 (Usage) if not exactly one of `num_poses` and `tolerance` is given, or it is not
+///         valid; KEY002 (InvalidInput) if words cannot meet the tolerance, with the joint and the
+///         time; KEY004 (InvalidInput) for angles that are not finite; SVM010. KEY003 reports
+///         angles beyond the limits of a joint's words
 Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& map,
                            const KeyframeOptions& options, Diagnostics& diagnostics);
 

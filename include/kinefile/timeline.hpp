@@ -12,90 +12,94 @@
 
 namespace kinefile {
 
-/// Frames that are equally far apart, by the time from one to the next.
+/// Frames at equal intervals, given by the time from one to the next.
 struct FrameTime {
   double seconds = 1.0 / 30;
   bool operator==(const FrameTime&) const = default;
 };
 
-/// Frames that are equally far apart, by how many there are in a second.
+/// Frames at equal intervals, given by the number of frames per second.
 struct FrameRate {
   double per_second = 30;
   bool operator==(const FrameRate&) const = default;
 };
 
-/// Frames that have times of their own.
+/// Frames that have their own times.
 struct FrameTimes {
-  std::vector<double> seconds;  ///< one a frame, each above the one before unless the reader was
+  std::vector<double> seconds;  ///< one per frame, strictly increasing unless the reader was
                                 ///< lenient
-  std::optional<double> per_second = std::nullopt;  ///< the rate at which the file wants them
-                                                    ///< imported, where it gives one
+  std::optional<double> per_second = std::nullopt;  ///< the import rate that the file specifies, if
+                                                    ///< any
   bool operator==(const FrameTimes&) const = default;
 };
 
-/// When the frames of a clip happen, as the file said it.
+/// The times of a clip's frames, as given in the file.
 struct Timeline {
   std::variant<FrameTime, FrameRate, FrameTimes> given = FrameTime{};
-  std::int64_t first_frame_number = 0;  ///< what the file calls its first frame; we count from 0
+  std::int64_t first_frame_number = 0;  ///< the file's number of its first frame; kinefile counts
+                                        ///< from 0
   bool operator==(const Timeline&) const = default;
 };
 
-/// The frames' own times; none where the frames are equally far apart.
+/// The frames' own times; empty if the frames are at equal intervals.
 const std::vector<double>& own_times(const Timeline& timeline);
 
-/// Whether the frames have times of their own.
+/// Whether the frames have their own times.
 bool has_own_times(const Timeline& timeline);
 
-/// Whether frames of one number happen at one time in both: at one rate, or at the same own times.
+/// Whether frames with the same number have the same time in both: the same rate, or the same own
+/// times.
 bool have_same_times(const Timeline& a, const Timeline& b);
 
-/// Seconds from one frame to the next; of frames with own times 1 / `frame_rate`.
+/// Seconds from one frame to the next; for frames with their own times 1 / `frame_rate`.
 double frame_time(const Timeline& timeline);
 
-/// Frames a second; of frames with own times the rate at which the file wants them imported, else
-/// their `steady_rate`, else 0.
+/// Frames per second; for frames with their own times the import rate that the file specifies,
+/// otherwise their `steady_rate`, otherwise 0.
 double frame_rate(const Timeline& timeline);
 
-/// Frames a second, meant rather than written: a frame time with three digits or more that was cut
-/// off or rounded from that of a whole rate (0.0083333), or of 24, 30, 60 or 120 by 1.001, stands
-/// for that rate. Otherwise as `frame_rate`.
+/// The intended number of frames per second: a frame time with three digits or more that was
+/// truncated or rounded from that of a whole rate (0.0083333), or of 24, 30, 60 or 120 divided by
+/// 1.001, stands for that rate. Otherwise as `frame_rate`.
 double nominal_frame_rate(const Timeline& timeline);
 
-/// A rate for frames that have times of their own.
+/// A steady rate for frames that have their own times.
 struct SteadyRate {
   double per_second = 0;
-  bool holds_times = false;  ///< every time is that of a frame, to its last digit
+  bool holds_times = false;  ///< every time is that of a frame, within the precision of its last
+                             ///< digit
 };
 
 /// The lowest of the rates 1, 2, 5, 10, 20, 24, 25, 30, 50, 60, 100, 120, 200, 240, 250, 500 and
-/// 1000 whose frames, counted from 0 s, hold every time within half a unit of the last digit of its
-/// shortest decimal form, no two times in one frame; else 1 / `median_step`. Nothing if the times
-/// do not rise or are not finite.
+/// 1000 whose frames, counted from 0 s, match every time within half a unit of the last digit of
+/// its shortest decimal form, with no two times in one frame; otherwise 1 / `median_step`. Nothing
+/// if the times are not increasing or not finite.
 std::optional<SteadyRate> steady_rate(std::span<const double> times);
 
-/// The frame at this rate that holds a time, counted from 0 s (see `steady_rate`), or nothing.
+/// The frame at this rate, counted from 0 s, that matches a time (see `steady_rate`), or nothing.
 std::optional<double> frame_that_holds(double time, double frame_rate);
 
-/// The median of the steps from one time to the next, the lower one of two; 0 where there is none.
+/// The median of the steps from one time to the next, the lower of the two middle ones if their
+/// number is even; 0 if there are no steps.
 double median_step(std::span<const double> times);
 
 /// The time of a frame in seconds: frame x frame time, never accumulated; or the frame's own time.
-/// After the last frame own times go on by their median step.
+/// After the last frame, own times continue by their median step.
 double time_of_frame(const Timeline& timeline, std::size_t frame);
 
-/// The last frame that begins at or before a time, and how far the time is on the way to the next.
+/// The last frame at or before a time, and the time's relative position between it and the next.
 struct FramePosition {
   std::size_t frame = 0;
   double share = 0;  ///< in [0, 1)
 };
 
-/// Where a time lies among the times of frames, which rise; before them at the first, after them at
-/// the last.
+/// The position of a time among increasing times of frames; clamped to the first and the last
+/// frame.
 FramePosition position_in_time(std::span<const double> times, double seconds);
 
-/// The frame at a time in seconds, fractions included, by `nominal_frame_rate` or among the own
-/// times; the whole one where only the rounding of the arithmetic is missing. Before the first and
-/// after the last frame own times go on by their median step.
+/// The frame at a time in seconds, including a fraction, by `nominal_frame_rate` or the own times.
+/// Rounded to a whole number if it differs by arithmetic rounding only. Before the first and after
+/// the last frame, own times continue by their median step.
 double frame_at_time(const Timeline& timeline, double seconds);
 
 /// The time from the first frame to the last, in seconds; 0 without frames.

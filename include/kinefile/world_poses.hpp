@@ -9,10 +9,10 @@
 
 namespace kinefile {
 
-/// Poses of all joints over some frames. Arrays that were not asked for are empty.
+/// Poses of all joints over some frames. Arrays that were not requested are empty.
 struct PoseArrays {
-  std::size_t first_frame = 0;  ///< the clip's frame that row 0 stands for
-  std::size_t frame_step = 1;   ///< and how many frames further row 1 is
+  std::size_t first_frame = 0;  ///< the clip's frame of row 0
+  std::size_t frame_step = 1;   ///< how many frames row 1 is after row 0
   std::size_t num_frames = 0;   ///< rows
   std::size_t num_joints = 0;
   std::size_t num_tips = 0;

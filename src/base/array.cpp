@@ -12,7 +12,8 @@ namespace kinefile::detail {
 namespace {
 
 constexpr std::size_t kAlignment = 64;
-/// From here on memory is aligned to huge pages, and the system is asked for them.
+/// From this size on, memory is aligned to huge pages, and huge pages are requested from the
+/// system.
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 std::size_t alignment_of(std::size_t num_bytes) {
@@ -75,7 +76,7 @@ void* storage_data(const Storage* storage) noexcept { return storage->data; }
 std::size_t storage_capacity(const Storage* storage) noexcept { return storage->num_bytes; }
 
 bool is_exclusive(const Storage* storage) noexcept {
-  // Acquire: whoever let go of the memory has finished reading it.
+  // Acquire: threads that released the memory have finished reading it.
   return storage->is_writable && storage->num_holders.load(std::memory_order_acquire) == 1;
 }
 

@@ -91,14 +91,14 @@ Error Diagnostics::first_error() const {
 
 namespace {
 
-/// Whether a terminal gives this code point two columns: the East Asian scripts, roughly.
+/// Whether a terminal shows this code point in two columns: approximately the East Asian scripts.
 bool is_wide(char32_t c) {
   return (c >= 0x1100 && c <= 0x115F) || (c >= 0x2E80 && c <= 0xA4CF) ||
          (c >= 0xAC00 && c <= 0xD7A3) || (c >= 0xF900 && c <= 0xFAFF) ||
          (c >= 0xFF00 && c <= 0xFF60) || (c >= 0x20000 && c <= 0x3FFFD);
 }
 
-/// Blanks as wide as `text` looks on a terminal; tabs stay tabs.
+/// Blanks of the width of `text` on a terminal; tabs stay tabs.
 std::string blanks_for(std::string_view text) {
   std::string blanks;
   for (std::size_t i = 0; i < text.size();) {
@@ -118,7 +118,7 @@ std::string blanks_for(std::string_view text) {
 
 namespace {
 
-/// A text without control characters, which may come from a file and mean something to a terminal.
+/// A text without control characters, which may come from a file and control a terminal.
 std::string without_controls(std::string_view text) {
   std::string safe;
   for (const char c : text) {

@@ -14,7 +14,7 @@
 namespace kinefile::edit {
 namespace {
 
-/// How a joint's frame is turned in its parent's frame.
+/// The rotation of a joint's frame in its parent's frame.
 Quat rotation_of(const Joint& joint, std::span<const double> row, AngleUnit unit) {
   return joint.rest_rotation * quaternion_in_row(rotations_of(joint), row, unit);
 }
@@ -29,7 +29,7 @@ std::vector<std::size_t> roots_of(const Skeleton& skeleton) {
 
 bool can_turn(const Joint& joint) { return can_turn_in_any_way(rotations_of(joint)); }
 
-/// A movement on the ground: a turn about the axis that points up, then a shift.
+/// A rigid motion on the ground: a rotation about the axis that points up, then a translation.
 struct GroundMove {
   Quat turn = Quat::Identity();
   Vec3 shift = Vec3::Zero();
@@ -58,7 +58,7 @@ GroundMove move_between(const Joint& root, std::span<const double> from, std::sp
   return move;
 }
 
-/// Turns a root in all frames; angles go on from those of a frame before the first.
+/// Rotates a root in all frames; angles continue from those of a frame before the first.
 void turn_root(const Joint& root, const Quat& turn, std::span<const double> before, AngleUnit unit,
                Clip& clip) {
   const Rows rows = clip.mutate();
@@ -74,7 +74,8 @@ void turn_root(const Joint& root, const Quat& turn, std::span<const double> befo
   }
 }
 
-/// Moves a root in all frames; angles go on from those of a frame before the first.
+/// Applies a rigid motion to a root in all frames; angles continue from those of a frame before the
+/// first.
 void move_root(const Joint& root, const GroundMove& move, std::span<const double> before,
                AngleUnit unit, Clip& clip) {
   const auto translations = translations_of(root);
@@ -88,7 +89,7 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
   turn_root(root, turn, before, unit, clip);
 }
 
-/// What is faded: the rows of two clips, where the one's are those that change.
+/// What is blended: rows of two clips, of which one is changed.
 struct Fade {
   const Clip& from;
   const Clip& to;
@@ -132,13 +133,13 @@ void fade_whole(const Fade& fade, const DegreeOfFreedom& dof, const Rows& rows, 
   }
 }
 
-/// Fades three rotations of a joint. The kernel's quaternions are the joint's own up to constant
-/// factors, which an interpolation does not see.
+/// Blends three rotations of a joint. The kernel's quaternions are the joint's own up to constant
+/// factors, which do not affect the interpolation.
 void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
                 const EulerAxes& axes, const Rows& rows, std::size_t first) {
   const std::size_t count = fade.weights.size();
   const auto form = rotation::euler_form(axes, fade.unit == AngleUnit::Degrees);
-  simd::Angles ends;  // first those of `from`, then those of `to`
+  simd::Angles ends;  // the first half those of `from`, the second half those of `to`
   simd::Angles angles;
   rotation::resize(ends, 2 * count);
   rotation::resize(angles, count);
@@ -190,7 +191,7 @@ Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size
 void fade(const Skeleton& skeleton, const Clip& to, std::span<const double> weights,
           std::size_t first, Clip& clip) {
   const std::size_t width = clip.num_coordinates;
-  Clip from;  // what changes is read to the end
+  Clip from;  // a copy, because the changed rows are read until the end
   from.num_frames = weights.size();
   from.num_coordinates = width;
   from.values = Array<double>(

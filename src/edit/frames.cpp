@@ -17,7 +17,7 @@ bool is_length(DofKind kind) {
   return kind == DofKind::Translation || kind == DofKind::TailTranslation;
 }
 
-/// The columns that hold lengths and nothing else.
+/// The columns that hold only lengths.
 std::vector<bool> length_columns(const Skeleton& skeleton) {
   std::vector<bool> is_length_column(skeleton.coordinates.size(), true);
   const std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
@@ -33,13 +33,13 @@ std::vector<bool> length_columns(const Skeleton& skeleton) {
   return is_length_column;
 }
 
-/// Scales a length: by its column where that is scaled, else by what is made of its number.
+/// Scales a length: in its column if that is scaled, otherwise by gain and shift.
 void scale_length(double factor, bool is_column_scaled, DegreeOfFreedom& dof) {
   for (double* value : {&dof.lower, &dof.upper, &dof.max_speed, &dof.shift}) *value *= factor;
   (is_column_scaled ? dof.rest : dof.gain) *= factor;
 }
 
-/// A quarter turn about x, which brings y to z or z to y.
+/// A rotation by 90 degrees about x, which rotates y to z or z to y.
 struct QuarterTurn {
   bool is_to_z = true;
 
@@ -48,7 +48,7 @@ struct QuarterTurn {
   }
 };
 
-/// The other way around, with zeros that have no sign.
+/// The opposite vector, without negative zeros.
 Vec3 opposite(const Vec3& axis) { return Vec3::Zero() - axis; }
 
 void negate_column(Clip& clip, std::size_t column) {
@@ -61,7 +61,7 @@ void turn_vector(const QuarterTurn& turn, double* numbers) {
   std::copy(turned.begin(), turned.end(), numbers);
 }
 
-/// Turns the vectors among the numbers of a kind that reads several columns: x y z qw qx qy qz of a
+/// Rotates the vectors in the numbers of a kind that reads several columns: x y z qw qx qy qz of a
 /// free joint, qw qx qy qz of a ball, a rotation vector.
 void turn_numbers(const QuarterTurn& turn, DofKind kind, double* numbers) {
   if (kind == DofKind::Free) turn_vector(turn, numbers);
@@ -77,12 +77,12 @@ void turn_columns(const QuarterTurn& turn, const DegreeOfFreedom& dof, Clip& cli
   }
 }
 
-/// Turns an axis. One that comes to lie along -x, -y or -z is turned around with its values, so
-/// that formats which know coordinate axes alone can still say it.
+/// Rotates an axis. If the result is -x, -y or -z, axis and values are negated, so that formats
+/// with coordinate axes only can still store it.
 void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& dof, Motion& motion) {
   dof.axis = opposite(opposite(turn(dof.axis)));
   const bool is_turned_around = coordinate_axis(-dof.axis).has_value();
-  // A scale along -y is one along y; a length along the bone stays one.
+  // A scale along -y is a scale along y; a length along the bone stays the same.
   if (is_turned_around && dof.kind == DofKind::TailScale) dof.axis = opposite(dof.axis);
   if (is_turned_around && has_own_column &&
       (dof.kind == DofKind::Rotation || dof.kind == DofKind::Translation)) {
@@ -94,8 +94,8 @@ void turn_axis(const QuarterTurn& turn, bool has_own_column, DegreeOfFreedom& do
   }
 }
 
-/// Gives columns the names of the axes that they are about or along now; of several degrees of
-/// freedom that read one, the first counts.
+/// Gives columns the names of the axes that they are about or along now; if several degrees of
+/// freedom read one, the first counts.
 void rename_channels(const Skeleton& old, Skeleton& skeleton) {
   std::vector<bool> is_named(skeleton.coordinates.size(), false);
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
@@ -113,8 +113,8 @@ void rename_channels(const Skeleton& old, Skeleton& skeleton) {
   }
 }
 
-/// Whether all movements of a joint are about and along x, y and z, up to their sign. Only then may
-/// some be turned around: three oblique axes would become their own mirror image.
+/// Whether all degrees of freedom of a joint are about or along x, y and z, up to sign. Only then
+/// may some be negated: three oblique axes would become their mirror image.
 bool turns_about_plain_axes(const Joint& joint) {
   return std::all_of(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
     return num_coordinates(dof) > 1 || dof.kind == DofKind::TailTranslation ||
@@ -122,7 +122,7 @@ bool turns_about_plain_axes(const Joint& joint) {
   });
 }
 
-/// \param is_turned  columns that are turned already, since several joints may read them
+/// \param is_turned  columns that are rotated already, because several joints may read one
 void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers, Joint& joint,
                 std::vector<bool>& is_turned, Motion& motion) {
   joint.offset = turn(joint.offset);
@@ -141,7 +141,7 @@ void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers
   }
 }
 
-/// Holds a column at its first number that is finite.
+/// Sets a column to its first finite number in all frames.
 void hold_column(Clip& clip, std::size_t column) {
   const Rows rows = clip.mutate();
   std::size_t first = 0;
@@ -151,7 +151,7 @@ void hold_column(Clip& clip, std::size_t column) {
   }
 }
 
-/// Brings a root that slides along oblique axes back over its first place in every frame.
+/// Moves a root with oblique translation axes back above its first position in every frame.
 void hold_over_ground(const Joint& root, const std::vector<Translation>& translations,
                       Eigen::Index up, Clip& clip) {
   const Rows rows = clip.mutate();

@@ -51,7 +51,7 @@ std::string difference_of(const Joint& a, const Joint& b, double tolerance) {
   return difference_of_dofs(a, b);
 }
 
-/// How two skeletons differ for one that joins their motions, or an empty text.
+/// The difference that prevents joining motions of two skeletons, or an empty text.
 std::string difference_of(const Skeleton& a, const Skeleton& b) {
   if (a.angle_unit != b.angle_unit) return "one is in degrees and one in radians";
   const double tolerance = kSame * rest_size(a);
@@ -76,7 +76,7 @@ std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
   if (!difference.empty()) {
     return cannot_join(fmt::format("the skeletons differ: {}", difference));
   }
-  // Frames with times of their own go on at those.
+  // Frames with their own times keep these.
   const bool is_steady =
       !has_own_times(first.clip.timeline) && !has_own_times(second.clip.timeline);
   const double rate = frame_rate(first.clip.timeline);
@@ -93,14 +93,14 @@ std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
   return std::nullopt;
 }
 
-/// Whether a clip of so many frames stays below what we make: 2^30 values.
+/// Whether a clip of this many frames stays below the limit of 2^30 values.
 bool is_too_large(double num_frames, std::size_t num_columns) {
   constexpr double kMostValues = 1073741824.0;
   return num_frames * static_cast<double>(std::max<std::size_t>(num_columns, 1)) > kMostValues;
 }
 
-/// The step from the last frame of a clip to the first of the next one: the median of its own
-/// times, or of the other's where it has too few.
+/// The step from the last frame of a clip to the first of the next one: the median step of its own
+/// times, or of the other's if it has too few.
 double step_between(const Clip& first, const Clip& second) {
   if (!has_own_times(first.timeline)) return frame_time(first.timeline);
   const double own = median_step(own_times(first.timeline));
@@ -109,13 +109,13 @@ double step_between(const Clip& first, const Clip& second) {
   return has_own_times(second.timeline) ? median_step(times) : frame_time(second.timeline);
 }
 
-/// Continues the times of frames, where one of the clips has any of its own.
+/// Continues the times of frames, if one of the clips has its own.
 void append_times(Clip& first, const Clip& second, std::size_t num_blend_frames) {
   if (!has_own_times(first.timeline) && !has_own_times(second.timeline)) return;
   const std::size_t count = first.num_frames;
   std::vector<double> times;
   for (std::size_t f = 0; f < count; ++f) times.push_back(time_of_frame(first.timeline, f));
-  double start = 0;  // when the second's first frame happens
+  double start = 0;  // the time of the second clip's first frame
   if (num_blend_frames > 0) start = times[count - num_blend_frames];
   if (num_blend_frames == 0 && count > 0) start = times.back() + step_between(first, second);
   const double shift = start - time_of_frame(second.timeline, 0);
@@ -133,7 +133,7 @@ void append_rows(Clip& first, const Clip& second, std::size_t begin) {
   first.num_frames += second.num_frames - begin;
 }
 
-/// Appends a motion that fits (see `obstacle_to`).
+/// Appends a compatible motion (see `obstacle_to`).
 void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames) {
   append_times(first.clip, second.clip, num_blend_frames);
   if (num_blend_frames == 0) {
@@ -150,7 +150,7 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
   }
   fade(first.skeleton, moved.clip, weights, overlap, first.clip);
   append_rows(first.clip, moved.clip, num_blend_frames);
-  // Both may hold the same rotation in angles that are whole turns apart.
+  // Both may hold the same rotation with angles that differ by whole turns.
   unwrap_from(first, overlap);
 }
 

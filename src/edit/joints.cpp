@@ -16,7 +16,7 @@ Error no_such_joint(const std::string& name) {
   return make_error(ErrorKind::Usage, "EDT006", fmt::format("there is no joint '{}'", name));
 }
 
-/// The joints of some names and all above them.
+/// The joints with some names and all their ancestors.
 Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
                                                 std::span<const std::string> names) {
   std::vector<bool> is_kept(skeleton.joints.size(), false);
@@ -34,7 +34,7 @@ Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
   return is_kept;
 }
 
-/// Where a joint sits in its parent's frame in all frames; nothing if it moves there.
+/// The position of a joint in its parent's frame in all frames; nothing if it is translated.
 std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
   const std::vector<Translation> translations = translations_of(joint);
   if (translations.empty() || clip.num_frames == 0) return rest_offset(joint);
@@ -46,7 +46,7 @@ std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
   return place.allFinite() ? std::optional(place) : std::nullopt;
 }
 
-/// Puts tips where the children of a joint were.
+/// Adds tips at the positions of a joint's removed children.
 void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Joint& joint,
               Diagnostics& diagnostics) {
   for (const std::size_t c : children) {
@@ -63,7 +63,7 @@ void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Jo
 
 constexpr std::size_t kDropped = std::numeric_limits<std::size_t>::max();
 
-/// The new index of everything that is kept, kDropped for the rest.
+/// The new index of each element that is kept, kDropped for others.
 std::vector<std::size_t> new_indices(const std::vector<bool>& is_kept) {
   std::vector<std::size_t> indices(is_kept.size(), kDropped);
   std::size_t next = 0;
@@ -73,8 +73,8 @@ std::vector<std::size_t> new_indices(const std::vector<bool>& is_kept) {
   return indices;
 }
 
-/// The joint that each column belongs to now: its own if that is kept, else the first kept one
-/// that reads it, as a joint does that mimics another; kDropped if there is none.
+/// The joint that each column belongs to now: its own if that is kept, otherwise the first kept
+/// joint that reads it (a mimic joint); kDropped if there is none.
 std::vector<std::size_t> owners_of_columns(const Skeleton& skeleton,
                                            const std::vector<bool>& is_kept) {
   std::vector<std::size_t> owners(skeleton.coordinates.size(), kDropped);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Mirrored in the plane with S = I - 2 n n^T, the joint j in the world W_j becomes its other half
-// k, W'_k = S W_j M_j, where M_j = G_j^-1 S G_k takes j's frame to k's in the pose without angles
-// (G). That pose's image is then itself. In its parent's frame k is M_p^-1 L_j M_j, and what its
-// degrees of freedom make of it is M_j^-1 D_j M_j: a rotation about a becomes one about M_j^-1 a,
-// the other way around. Where no joint is turned at rest, every M is S.
+// Mirrored in the plane with S = I - 2 n n^T, joint j with world pose W_j gives its partner k the
+// pose W'_k = S W_j M_j. M_j = G_j^-1 S G_k transforms j's frame to k's in the pose with angles 0
+// (G), so that the image of this pose is itself. In its parent's frame, k's pose is M_p^-1 L_j M_j,
+// and the part of its degrees of freedom is M_j^-1 D_j M_j: a rotation about a becomes the opposite
+// rotation about M_j^-1 a. If no joint has a rest rotation, every M is S.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,17 +21,17 @@ namespace kinefile::edit {
 namespace {
 
 constexpr double kSamePlace = 1e-9;  // of the skeleton's size
-constexpr double kReached = 1e-6;    // what may be left, in radians or of the skeleton's size
+constexpr double kReached = 1e-6;    // the largest residual, in radians or of the skeleton's size
 
-/// A number that is copied from one degree of freedom to another, with its value's sign or the
-/// other.
+/// A number that is copied from one degree of freedom to another, with the same or the opposite
+/// sign.
 struct Copy {
   DegreeOfFreedom from;
   DegreeOfFreedom to;
   double sign = 1;
 };
 
-/// How the motion of one joint becomes that of its other half.
+/// How the motion of one joint becomes that of its partner.
 struct JointPlan {
   std::size_t source = 0;
   std::size_t target = 0;
@@ -39,7 +39,7 @@ struct JointPlan {
   Mat3 parent = Mat3::Identity();  ///< M_p^-1: from the source's parent's to the target's parent's
   std::vector<Copy> copies;
   bool follows = false;            ///< the target follows another joint in some column
-  bool is_rotation_found = false;  ///< angles are found anew
+  bool is_rotation_found = false;  ///< angles are recomputed
   bool is_position_found = false;
 };
 
@@ -48,11 +48,12 @@ struct MirrorContext {
   double size = 0;
   bool lenient = false;
   Diagnostics& diagnostics;
-  std::vector<Quat> rest = {};            ///< G: how the joints' frames are turned without angles
+  std::vector<Quat> rest = {};            ///< G: the rotations of the joints' frames if all angles
+                                          ///< are 0
   std::vector<std::size_t> leaders = {};  ///< of columns
 };
 
-/// How the frame of every joint is turned in the world where all degrees of freedom are 0.
+/// The rotation of every joint's frame in the world if all degrees of freedom are 0.
 std::vector<Quat> rest_frames(const Skeleton& skeleton) {
   std::vector<Quat> frames;
   for (const Joint& joint : skeleton.joints) {
@@ -62,14 +63,14 @@ std::vector<Quat> rest_frames(const Skeleton& skeleton) {
   return frames;
 }
 
-/// A vector through a mirror's matrix; exact where that only changes signs.
+/// A vector times a mirror matrix; exact if that only changes signs.
 Vec3 reflect(const Mat3& mirror, const Vec3& v) {
   const Vec3 diagonal = mirror.diagonal();
   if (mirror == Mat3(diagonal.asDiagonal())) return diagonal.cwiseProduct(v);
   return mirror * v;
 }
 
-/// +1 or -1 if two unit vectors are the same or opposite.
+/// +1 if two unit vectors are equal, -1 if they are opposite.
 std::optional<double> sign_between(const Vec3& a, const Vec3& b) {
   if ((a - b).norm() <= kSameDirection) return 1;
   if ((a + b).norm() <= kSameDirection) return -1;
@@ -83,8 +84,8 @@ std::vector<DegreeOfFreedom> dofs_of_kind(const Joint& joint, DofKind kind) {
   return dofs;
 }
 
-/// Fails, or warns where that is wanted.
-Result<void> complain(const MirrorContext& context, std::string message) {
+/// Fails, or only warns if lenient.
+Result<void> fail_or_warn(const MirrorContext& context, std::string message) {
   Error error = make_error(ErrorKind::Usage, "EDT004", std::move(message));
   if (!context.lenient) return fail(std::move(error));
   error.severity = Severity::Warning;
@@ -129,7 +130,7 @@ std::optional<std::vector<Copy>> copies_of_slides(const JointPlan& plan, const J
   return copies.size() == to.size() ? std::optional(copies) : std::nullopt;
 }
 
-/// The copies of what moves and scales the tail: one for one, in order.
+/// The copies of the degrees of freedom of the tail: one for one, in order.
 void copy_tails(const JointPlan& plan, const Joint& source, const Joint& target, DofKind kind,
                 std::vector<Copy>& copies) {
   const auto from = dofs_of_kind(source, kind);
@@ -171,7 +172,7 @@ JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
   return plan;
 }
 
-/// Whether two halves have so different ways to move that a motion of one is lost on the other.
+/// Whether the degrees of freedom of two partners differ so that motion is lost.
 bool is_position_lost(const Joint& source, const Joint& target) {
   return translations_of(source).size() > translations_of(target).size() ||
          moves_freely(source) != moves_freely(target) ||
@@ -181,7 +182,7 @@ bool is_position_lost(const Joint& source, const Joint& target) {
              dofs_of_kind(target, DofKind::TailScale).size();
 }
 
-/// Mirrors a whole rotation by its numbers, which keep their bits: the vector among them.
+/// Mirrors a whole rotation in its numbers, which keep their bits: its vector part is mirrored.
 void mirror_numbers(const JointPlan& plan, const DegreeOfFreedom& from, const DegreeOfFreedom& to,
                     std::span<const double> row, std::span<double> result) {
   const std::size_t num_before = num_coordinates(from) - 3;  // qw
@@ -191,7 +192,7 @@ void mirror_numbers(const JointPlan& plan, const DegreeOfFreedom& from, const De
   std::copy_n(new_vector.data(), 3, &result[to.coordinate + num_before]);
 }
 
-/// The rotations that the target of a plan is to have in some frames.
+/// The wanted rotations of a plan's target in some frames.
 void mirrored_rotations(const MirrorContext& context, const JointPlan& plan,
                         const FrameBatch& frames, simd::Quaternions& out) {
   const auto rotations = rotations_of(context.motion.skeleton.joints[plan.source]);
@@ -213,7 +214,8 @@ std::vector<bool> follows_of(const MirrorContext& context, const JointPlan& plan
   return follows_of(context, plan, dofs);
 }
 
-/// Finds the rotation of a joint in all frames. \returns the largest residual angle, in radians
+/// Finds the rotation of a joint in all frames.
+/// \returns the largest residual angle, in radians
 double find_rotations(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Clip& clip = context.motion.clip;
   const Skeleton& skeleton = context.motion.skeleton;
@@ -238,7 +240,8 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, const
   return residual;
 }
 
-/// Finds the position of a joint in all frames. \returns the largest residual distance
+/// Finds the position of a joint in all frames.
+/// \returns the largest residual distance
 double find_positions(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
@@ -255,10 +258,10 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, const
   return residual;
 }
 
-Result<void> complain_of_joint(const MirrorContext& context, const JointPlan& plan) {
+Result<void> report_joint(const MirrorContext& context, const JointPlan& plan) {
   const std::vector<Joint>& joints = context.motion.skeleton.joints;
-  return complain(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
-                                       joints[plan.target].name, joints[plan.source].name));
+  return fail_or_warn(context, fmt::format("joint '{}' cannot move as '{}' does in the mirror",
+                                           joints[plan.target].name, joints[plan.source].name));
 }
 
 Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
@@ -272,16 +275,16 @@ Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, c
           carried_over(copy.from, copy.to, copy.sign, clip.row(f)[copy.from.coordinate]);
     }
   }
-  // Both are found, whatever comes of the other.
+  // Both are computed, even if the first residual is too large already.
   const double distance = plan.is_position_found ? find_positions(context, plan, rows) : 0;
   const double angle = plan.is_rotation_found ? find_rotations(context, plan, rows) : 0;
   const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
-  // Where a joint follows others, these may not have moved yet.
+  // If a joint follows others, these may not have been moved yet.
   if ((!is_out_of_reach || plan.follows) && !is_position_lost(source, target)) return {};
-  return complain_of_joint(context, plan);
+  return report_joint(context, plan);
 }
 
-/// Whether a joint that follows others has come where the mirror puts it.
+/// Whether a joint that follows others has the mirrored pose.
 bool is_reached(const MirrorContext& context, const JointPlan& plan, const Clip& result) {
   const Skeleton& skeleton = context.motion.skeleton;
   const Joint& source = skeleton.joints[plan.source];
@@ -320,11 +323,11 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
   const Mat3 mirror = signs.asDiagonal();
   const auto pairs = mirror_pairs(skeleton, axis);
   if (!lie_opposite(skeleton, pairs, axis)) {
-    auto complained = complain(
+    auto reported = fail_or_warn(
         context, fmt::format("left and right do not lie on the two sides of a mirror whose normal "
                              "is {}; that of this skeleton is {}",
                              "xyz"[axis], "xyz"[guess_mirror_axis(skeleton)]));
-    if (!complained) return fail(std::move(complained.error()));
+    if (!reported) return fail(std::move(reported.error()));
   }
   const Rows rows = result.clip.mutate();
   std::vector<JointPlan> following;
@@ -334,11 +337,11 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
       continue;
     }
     if (pairs[j] == kNoParent) {
-      auto complained = complain(
+      auto reported = fail_or_warn(
           context, fmt::format("joint '{}' has no other half, by name or by where it lies, and "
                                "does not lie in the plane of the mirror",
                                skeleton.joints[j].name));
-      if (!complained) return fail(std::move(complained.error()));
+      if (!reported) return fail(std::move(reported.error()));
     }
     const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
     const JointPlan plan = plan_joint(context, j, target, mirror);
@@ -348,7 +351,8 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
   }
   for (const JointPlan& plan : following) {
     if (is_reached(context, plan, result.clip)) continue;
-    if (auto told = complain_of_joint(context, plan); !told) return fail(std::move(told.error()));
+    auto reported = report_joint(context, plan);
+    if (!reported) return fail(std::move(reported.error()));
   }
   return result;
 }

@@ -23,7 +23,7 @@ struct SidePair {
 constexpr std::array<SidePair, 4> kWords = {
     {{"Left", "Right"}, {"left", "right"}, {"LEFT", "RIGHT"}, {"左", "右"}}};
 
-/// A name in which every word of one side is the other side's.
+/// A name in which every word of one side is replaced by that of the other side.
 std::string with_words_swapped(std::string_view name) {
   std::string swapped;
   while (!name.empty()) {
@@ -42,7 +42,7 @@ std::string with_words_swapped(std::string_view name) {
   return swapped;
 }
 
-/// The letter of the other side, or 0 for one that stands for no side.
+/// The letter of the other side, or 0 if the letter stands for no side.
 char other_side(char letter) {
   constexpr std::string_view kSides = "lrLR";
   const std::size_t side = kSides.find(letter);
@@ -54,11 +54,11 @@ bool is_word_letter(char c) {
   return is_letter || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// What the other half of a joint may be called, the surest first.
+/// Candidate names of a joint's partner, the most certain first.
 std::vector<std::string> names_of_other_half(const std::string& name) {
   std::vector<std::string> names;
   if (std::string swapped = with_words_swapped(name); swapped != name) names.push_back(swapped);
-  std::vector<std::string> ends;  // a letter that is no word of its own tells less
+  std::vector<std::string> ends;  // a letter that is not a separate word is less certain
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char other = other_side(name[i]);
     const bool is_start = i == 0 || !is_word_letter(name[i - 1]);
@@ -98,7 +98,7 @@ std::vector<std::size_t> roots_of_joints(const Skeleton& skeleton) {
   return roots;
 }
 
-/// The joint without a partner that lies nearest to a place, if one lies within a distance.
+/// The joint without a partner that is nearest to a place, if one is within a distance.
 std::size_t nearest_single(const std::vector<Vec3>& places, const std::vector<std::size_t>& depths,
                            const std::vector<std::size_t>& pairs, std::size_t joint,
                            const Vec3& place, double distance) {
@@ -136,7 +136,7 @@ void pair_by_place(const Skeleton& skeleton, std::size_t axis, std::vector<std::
     pairs[j] = other;
     pairs[other] = j;
   }
-  pair_in_plane(kNear * size);  // the spines of measured people are not quite straight
+  pair_in_plane(kNear * size);  // spines from motion capture are not exactly straight
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace kinefile::edit {
 namespace {
 
-/// Columns are filtered so many at a time: one alone would wait for every number's predecessor.
+/// How many columns are filtered at a time: a single one would wait for each previous result.
 constexpr std::size_t kLanes = 4;
 using Lanes = std::array<double, kLanes>;
 
@@ -23,8 +23,8 @@ using Lanes = std::array<double, kLanes>;
 class Filter {
  public:
   Filter(double cutoff_hz, double rate_hz) {
-    // Two passes halve the power where each takes (sqrt 2 - 1)^(1/4) of the frequency: the
-    // cut-off of one pass lies higher by that, in the frequencies of the bilinear transform.
+    // Two passes together halve the power at (sqrt 2 - 1)^(1/4) of the cut-off of one pass. So the
+    // cut-off of one pass is higher by that factor, in the frequencies of the bilinear transform.
     const double correction = std::pow(std::numbers::sqrt2 - 1, 0.25);
     const double w = std::tan(std::numbers::pi * cutoff_hz / rate_hz) / correction;
     const double scale = 1 / (1 + std::numbers::sqrt2 * w + w * w);
@@ -35,15 +35,16 @@ class Filter {
     padding_ = periods < 1e9 ? static_cast<std::size_t>(periods) + 9 : kMostPadding;
   }
 
-  /// Filters columns in place. They are continued at both ends by their odd reflections. A column
-  /// whose numbers are all the same keeps every bit.
+  /// Filters columns in place. They are extended at both ends by odd reflection. A column whose
+  /// numbers are all the same keeps every bit.
   void run(std::vector<Lanes>& rows) const {
     const std::size_t count = rows.size();
     if (count < 2) return;
     const Lanes is_moving = moving_lanes(rows);
     const std::size_t padding = std::min({padding_, count - 1, kMostPadding});
-    // About the straight line between the ends, which the filter keeps: so it starts at rest, and
-    // what is slower than the motion is long comes out as that line.
+    // The straight line between the ends is subtracted first, because the filter keeps it. So the
+    // filter starts at rest, and components slower than the length of the motion remain as that
+    // line.
     const Lanes origin = rows.front();
     Lanes slope;
     for (std::size_t k = 0; k < kLanes; ++k) {
@@ -75,7 +76,7 @@ class Filter {
  private:
   static constexpr std::size_t kMostPadding = 1'000'000;
 
-  /// 1 for columns in which a number differs from the one before, else 0.
+  /// 1 for columns in which a number differs from the previous one, otherwise 0.
   static Lanes moving_lanes(const std::vector<Lanes>& rows) {
     Lanes is_moving{};
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -86,7 +87,7 @@ class Filter {
     return is_moving;
   }
 
-  /// One pass (transposed direct form), from the state in which the first number has always been.
+  /// One pass (transposed direct form), starting from the steady state for the first number.
   template <class Iterator>
   void run_one_way(Iterator begin, Iterator end) const {
     Lanes z1;
@@ -118,13 +119,13 @@ bool is_constant(const Clip& clip, const std::vector<std::size_t>& columns) {
          });
 }
 
-/// A column that is smoothed by itself.
+/// A column that is smoothed on its own.
 struct Column {
   std::size_t index = 0;
-  double turn = 0;  ///< of an angle: after how much it comes round; 0 for other numbers
+  double turn = 0;  ///< for an angle its period; 0 for other numbers
 };
 
-/// What is added to the numbers of a column so that they do not jump by whole turns.
+/// The whole turns added to the numbers of a column so that they do not jump.
 void take_turns_out(double turn, std::size_t lane, std::vector<Lanes>& rows,
                     std::vector<Lanes>& shifts) {
   for (std::size_t f = 1; f < rows.size(); ++f) {
@@ -133,8 +134,8 @@ void take_turns_out(double turn, std::size_t lane, std::vector<Lanes>& rows,
   }
 }
 
-/// Smooths up to `kLanes` columns, angles as if they did not jump by whole turns; where they did,
-/// they still do.
+/// Smooths up to `kLanes` columns. Jumps by whole turns are removed from angles before filtering
+/// and restored after it.
 void smooth_columns(const Filter& filter, std::span<const Column> columns, Clip& clip) {
   std::vector<Lanes> numbers(clip.num_frames);
   std::vector<Lanes> shifts(clip.num_frames);
@@ -154,7 +155,7 @@ void smooth_columns(const Filter& filter, std::span<const Column> columns, Clip&
 }
 
 /// Smooths rotations by the components of their quaternions, each on the side of the one before.
-/// They are not normalised, but for those without a direction, which stay as they were.
+/// The results are not normalised; a result of a length near 0 is replaced by the old quaternion.
 void smooth_rotations(const Filter& filter, std::vector<Lanes>& quaternions) {
   const auto dot = [](const Lanes& a, const Lanes& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -172,7 +173,7 @@ void smooth_rotations(const Filter& filter, std::vector<Lanes>& quaternions) {
 }
 
 /// Smooths the three rotations of a joint. The kernel's quaternions are the joint's own up to
-/// constant factors, and the filter of a product is the product of the filter.
+/// constant factors, and the filter is linear, so constant factors commute with it.
 void smooth_euler(const Filter& filter, const std::vector<DegreeOfFreedom>& dofs,
                   const simd::EulerForm& form, Clip& clip) {
   simd::Angles angles;
@@ -233,8 +234,8 @@ std::vector<std::size_t> columns_of(const std::vector<DegreeOfFreedom>& dofs) {
   return columns;
 }
 
-/// Smooths the rotation of a joint as a whole, where it is one that the joint leads, and marks its
-/// columns.
+/// Smooths the rotations of a joint as one rotation, if the joint leads their columns, and marks
+/// these columns.
 /// \param leads  whether the joint follows no other in any of these columns
 void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rotations, bool leads,
                   AngleUnit unit, std::vector<bool>& is_done, Clip& clip) {
@@ -254,7 +255,7 @@ void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rota
   }
 }
 
-/// Smooths all rotations that are told as one. Returns which columns these have.
+/// Smooths all rotations that are smoothed as a whole. Returns which columns they have.
 std::vector<bool> smooth_joints(const Filter& filter, Motion& motion) {
   const Skeleton& skeleton = motion.skeleton;
   const std::vector<std::size_t> leaders = leaders_of_columns(skeleton);

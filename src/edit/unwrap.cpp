@@ -13,7 +13,7 @@
 namespace kinefile::edit {
 namespace {
 
-/// Takes the jumps by whole turns out of a column.
+/// Removes jumps by whole turns from a column.
 void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double turn) {
   const Rows rows = clip.mutate();
   std::optional<double> before;
@@ -25,7 +25,7 @@ void unwrap_column(Clip& clip, std::size_t begin, std::size_t column, double tur
   }
 }
 
-/// Three rotations that together are one which another triple gives, too.
+/// Three rotations of a joint for which a second triple of angles gives the same rotation.
 struct Triple {
   std::array<DegreeOfFreedom, 3> rotations;
   bool is_proper;  ///< the outer axes are the same: z x z
@@ -49,7 +49,7 @@ void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double t
       const Vec3 other(angles[0] + half, (triple.is_proper ? 0 : half) - angles[1],
                        angles[2] + half);
       const Vec3 twin = nearest_turns(other, *before, turn);
-      // A flip shows as half a turn in two angles; smaller steps are the motion's own.
+      // A flip appears as half a turn in two angles; smaller steps are real motion.
       const double step = (best - *before).cwiseAbs().maxCoeff();
       if (step > turn / 4 && (twin - *before).cwiseAbs().maxCoeff() < step) best = twin;
     }
@@ -64,8 +64,8 @@ void unwrap_triple(Clip& clip, std::size_t begin, const Triple& triple, double t
   }
 }
 
-/// The joint's three rotations, if another triple of angles gives the same and nothing else reads
-/// their columns.
+/// The joint's three rotations, if another triple of angles gives the same rotation and no other
+/// degree of freedom reads their columns.
 std::optional<Triple> triple_of(const std::vector<DegreeOfFreedom>& rotations,
                                 const std::vector<std::size_t>& readers) {
   const auto axes = euler_axes_of(rotations);
@@ -91,7 +91,7 @@ void unwrap_quaternions(Clip& clip, std::size_t begin, std::size_t first) {
   }
 }
 
-/// Brings rotation vectors to the turn about their axis that is nearest to the one before.
+/// Adds whole turns to rotation vectors so that each is nearest to the previous one.
 void unwrap_vectors(Clip& clip, std::size_t begin, std::size_t first, double turn) {
   const Rows rows = clip.mutate();
   std::optional<Vec3> before;

@@ -7,8 +7,7 @@
 
 namespace kinefile::edit {
 
-/// Lets angles go on without jumps from a frame on: as `unwrap`, with the frame before it as the
-/// start.
+/// Removes jumps of angles from a frame on: as `unwrap`, starting from the previous frame.
 void unwrap_from(Motion& motion, std::size_t first_frame);
 
 }  // namespace kinefile::edit

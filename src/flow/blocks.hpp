@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of flows: how the editor makes them, and what edits do to their arrows.
+// Blocks of flows as the editor makes them, and changes of their arrows.
 #pragma once
 
 #include <limits>
@@ -9,12 +9,12 @@
 
 namespace kinefile::flow {
 
-/// How far the editor puts a block below the one before it.
+/// The vertical distance of blocks in the editor.
 inline constexpr int kRowHeight = 54;
-/// Where it puts the start, and the block below it.
+/// The positions of the start block and of the block below it in the editor.
 inline constexpr int kColumn = 50, kStartRow = 10, kFirstRow = 46;
 
-/// Where something moves down to in the editor, without leaving it.
+/// A position moved down in the editor, clamped to its range.
 constexpr int moved_by(int place, int distance) {
   constexpr int kFarthest = std::numeric_limits<int>::max();
   return place > kFarthest - distance ? kFarthest : place + distance;
@@ -34,8 +34,8 @@ inline Block new_block(BlockBody body, std::string name, int y) {
   return block;
 }
 
-/// Leads every arrow to where its block is now.
-/// \param place_of  by the number that an arrow has: the block's new number, or `kNoBlock`
+/// Renumbers all arrows.
+/// \param place_of  by old block number: the new block number, or `kNoBlock`
 inline void renumber(std::vector<Block>& blocks, const std::vector<int>& place_of) {
   for (Block& block : blocks) {
     for (int* arrow : {&block.normal, &block.branch}) {
@@ -44,7 +44,7 @@ inline void renumber(std::vector<Block>& blocks, const std::vector<int>& place_o
   }
 }
 
-/// The poses of a flow that goes straight on, in the order of its way.
+/// The poses of a straight flow, in the order in which they run.
 /// \errors FLW003 (Usage) if it loops, branches or computes
 Result<std::vector<std::size_t>> straight_way(const PoseFlow& flow);
 

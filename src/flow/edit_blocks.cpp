@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits that change the way of a flow: its order, and which blocks it has.
+// Edits that change the order and the set of a flow's blocks.
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@ tl::unexpected<Error> no_such_block(const PoseFlow& flow, std::size_t block) {
               fmt::format("expected a block below {}, found {}", flow.blocks.size(), block));
 }
 
-/// A flow of a format as a pose of another one: with as many words.
-/// \errors FLW006 if a word of a slider that is not there is enabled; FLW001 for servos without
-///         power in WORD_N
+/// A pose for another flow, with that flow's number of words.
+/// \errors FLW006 if a word of a slider that does not exist there is enabled; FLW001 for servos
+///         without power in WORD_N
 Result<Block> as_block_of(const PoseFlow& flow, const Block& source) {
   Block block = source;
   auto& pose = std::get<PoseBlock>(block.body);
@@ -48,8 +48,8 @@ void move_down(PoseFlow& flow, int y, int distance) {
   }
 }
 
-/// What a pose of a way keeps of the one whose place it takes: its place in the file and the
-/// drawing, its arrows, and how the robot gets from the one to the next: the time and the servos.
+/// Puts the pose of `source` into a block, which keeps its number, its place in the drawing and its
+/// arrows. The time and the servos come from the pose `way`.
 void take_pose(Block& block, const Block& source, const PoseBlock& way) {
   block.name = source.name;
   block.line = source.line;
@@ -95,7 +95,7 @@ Result<PoseFlow> reverse(const PoseFlow& flow) {
   const std::size_t count = way->size();
   const auto block_at = [&](std::size_t i) -> const Block& { return flow.blocks[(*way)[i]]; };
   for (std::size_t i = 0; i < count; ++i) {
-    // The first pose is reached from where the robot stands, as before.
+    // The first pose is reached from the robot's current pose, as before.
     const std::size_t time = i == 0 ? 0 : count - i;
     take_pose(reversed.blocks[(*way)[i]], block_at(count - 1 - i),
               std::get<PoseBlock>(block_at(time).body));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another speed: poses that become too long are parted.
+// Changes the speed of a flow; poses that become too long are split.
 
 #include <fmt/format.h>
 
@@ -16,14 +16,14 @@ namespace {
 using Words = std::vector<SliderWord>;
 
 constexpr double kMostBlocks = 100'000;
-/// How far to the right the editor shows the parts of a pose.
+/// The horizontal distance of the parts of a pose in the editor.
 constexpr int kPartDistance = 90;
 
 tl::unexpected<Error> refuse_speed(std::string message) {
   return fail(make_error(ErrorKind::Usage, "FLW004", std::move(message)));
 }
 
-/// By block: which blocks lead to it.
+/// By block: its predecessors.
 std::vector<std::vector<std::size_t>> predecessors(const PoseFlow& flow) {
   std::vector<std::vector<std::size_t>> before(flow.blocks.size());
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) {
@@ -32,12 +32,12 @@ std::vector<std::vector<std::size_t>> predecessors(const PoseFlow& flow) {
   return before;
 }
 
-/// Where the sliders are when a pose begins, if that is one place whatever way was taken: the words
-/// of the poses before it, through blocks that take no time. Null at the start of a flow, where the
-/// robot may stand anyhow.
+/// The words of the sliders when a pose begins, if they are the same on every path: those of the
+/// previous poses, through blocks that take no time. Null at the start of a flow, where the robot's
+/// pose is unknown.
 const Words* words_before(const PoseFlow& flow, const std::vector<std::vector<std::size_t>>& before,
                           std::size_t pose) {
-  constexpr std::size_t kMostLooked = 1000;  // so that a hostile flow takes no time
+  constexpr std::size_t kMostLooked = 1000;  // so that a hostile flow does not take much time
   std::size_t num_looked = 0;
   const Words* words = nullptr;
   std::vector<bool> was_there(flow.blocks.size());
@@ -65,8 +65,8 @@ const Words* words_before(const PoseFlow& flow, const std::vector<std::vector<st
   return words;
 }
 
-/// The words at some ticks of the way from one pose to another; nothing if they depend on the base
-/// pose.
+/// The words at some ticks of the transition from one pose to another; nothing if they depend on
+/// the base pose.
 std::optional<Words> words_between(const Words& from, const Words& to, std::int64_t tick,
                                    std::int64_t num_ticks) {
   Words words = to;
@@ -80,7 +80,7 @@ std::optional<Words> words_between(const Words& from, const Words& to, std::int6
   return words;
 }
 
-/// A pose as some that take its time together, the last of which is itself.
+/// A pose split into several with the same total time; the last one is the pose itself.
 std::vector<Block> parted(const Block& block, std::size_t number, std::int64_t num_ticks,
                           const Words* before, Diagnostics& diagnostics) {
   const auto& pose = std::get<PoseBlock>(block.body);
@@ -113,7 +113,7 @@ std::vector<Block> parted(const Block& block, std::size_t number, std::int64_t n
   return parts;
 }
 
-/// How long a pose is to be.
+/// The new time of a pose.
 std::int64_t ticks_at(double factor, int ticks, std::size_t number, Diagnostics& diagnostics) {
   const double exact = ticks / factor;
   if (exact < 1) {
@@ -123,7 +123,7 @@ std::int64_t ticks_at(double factor, int ticks, std::size_t number, Diagnostics&
   return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::round(exact)));
 }
 
-/// Refuses flows that would have too many blocks.
+/// Rejects flows that would have too many blocks.
 Result<void> check_length(const PoseFlow& flow, double factor) {
   double num_blocks = 0;
   for (const Block& block : flow.blocks) {

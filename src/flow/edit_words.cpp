@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edits that leave the way of a flow as it is, and change its words.
+// Edits that change only the words of a flow.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string num_sliders_text(const PoseFlow& flow) {
   return fmt::format("expected a slider below {}", flow.num_sliders);
 }
 
-/// By slider: which one shows its value in a mirror.
+/// By slider: which one gets its value when mirrored.
 Result<std::vector<const MirrorPair*>> pairs_by_slider(const PoseFlow& flow,
                                                        const std::vector<MirrorPair>& pairs) {
   std::vector<const MirrorPair*> pair_of(flow.num_sliders);
@@ -40,7 +40,7 @@ Result<std::vector<const MirrorPair*>> pairs_by_slider(const PoseFlow& flow,
   return pair_of;
 }
 
-/// A word times 1 or -1; `was_cut` where that does not fit.
+/// A word times 1 or -1; `was_cut` if that does not fit.
 SliderWord signed_word(SliderWord word, int sign, bool& was_cut) {
   const int value = word.value * sign;
   was_cut = was_cut || value > kMostWord;
@@ -64,21 +64,21 @@ bool mirror_pair(PoseBlock& pose, const MirrorPair& pair) {
   return was_cut;
 }
 
-/// Tells of a block that reads or writes a slider of a pair: it stays as it is.
-void tell_of_variable(const Block& block, std::size_t number,
-                      const std::vector<const MirrorPair*>& pair_of, Diagnostics& diagnostics) {
-  const auto tell = [&](int variable) {
+/// Reports a block that reads or writes a slider of a pair: it stays unchanged.
+void report_variable(const Block& block, std::size_t number,
+                     const std::vector<const MirrorPair*>& pair_of, Diagnostics& diagnostics) {
+  const auto report = [&](int variable) {
     const auto slider = static_cast<std::size_t>(variable);
     if (slider >= pair_of.size() || pair_of[slider] == nullptr) return;
     diagnostics.add(Severity::Warning, "FLW012",
                     fmt::format("block {} uses slider {} as a variable, which is not mirrored",
                                 number, slider));
   };
-  if (const auto* branch = std::get_if<BranchBlock>(&block.body)) tell(branch->variable);
+  if (const auto* branch = std::get_if<BranchBlock>(&block.body)) report(branch->variable);
   const auto* sum = std::get_if<ArithmeticBlock>(&block.body);
   if (sum == nullptr) return;
-  tell(sum->variable);
-  if (sum->has_variable_operand) tell(sum->operand);
+  report(sum->variable);
+  if (sum->has_variable_operand) report(sum->operand);
 }
 
 std::vector<PoseBlock*> poses_of(PoseFlow& flow) {
@@ -133,7 +133,7 @@ Result<PoseFlow> mirror(const PoseFlow& flow, const std::vector<MirrorPair>& pai
   if (!pair_of) return fail(pair_of.error());
   PoseFlow mirrored = flow;
   for (std::size_t b = 0; b < mirrored.blocks.size(); ++b) {
-    tell_of_variable(mirrored.blocks[b], b, *pair_of, diagnostics);
+    report_variable(mirrored.blocks[b], b, *pair_of, diagnostics);
     auto* pose = std::get_if<PoseBlock>(&mirrored.blocks[b].body);
     if (pose == nullptr) continue;
     for (const MirrorPair& pair : pairs) {

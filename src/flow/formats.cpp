@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// WORD_N knows poses alone, of which some ask whether to go on; V1R4 asks in blocks of their own.
+// WORD_N has only poses, some of which check whether to continue; V1R4 has separate blocks for such
+// checks.
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ tl::unexpected<Error> refuse_block(const PoseFlow& flow, std::size_t block,
   return fail(std::move(error));
 }
 
-/// Cuts the sliders that V1R4 does not have.
+/// Removes the sliders that V1R4 does not have.
 void cut_sliders(PoseFlow& flow, Diagnostics& diagnostics) {
   const std::size_t most = max_sliders(FlowFormat::V1R4);
   if (flow.num_sliders <= most) return;
@@ -75,7 +76,7 @@ PoseFlow as_v1r4(PoseFlow source, Diagnostics& diagnostics) {
   return made;
 }
 
-/// What WORD_N has no words for, whatever the way; nothing if there is none of it.
+/// The first feature of a flow that WORD_N cannot express; nothing if there is none.
 std::optional<tl::unexpected<Error>> unsayable(const PoseFlow& flow) {
   for (std::size_t b = 0; b < flow.blocks.size(); ++b) {
     const BlockBody& body = flow.blocks[b].body;
@@ -89,7 +90,7 @@ std::optional<tl::unexpected<Error>> unsayable(const PoseFlow& flow) {
   return std::nullopt;
 }
 
-/// What stands at the end of an arrow: start blocks only lead on.
+/// The target of an arrow; start blocks are skipped.
 int behind_start(const PoseFlow& flow, int target) {
   for (std::size_t i = 0; i < flow.blocks.size() && target != kNoBlock; ++i) {
     const Block& block = flow.blocks[static_cast<std::size_t>(target)];
@@ -106,7 +107,7 @@ bool leads_to(const PoseFlow& flow, int target) {
          std::holds_alternative<Body>(flow.blocks[static_cast<std::size_t>(target)].body);
 }
 
-/// The two arrows of a pose of WORD_N, as numbers of V1R4's blocks.
+/// The two arrows of a WORD_N pose, as V1R4 block numbers.
 struct PoseArrows {
   int next = kNoBlock;
   int leave = kNoBlock;
@@ -133,8 +134,8 @@ Result<PoseArrows> arrows_of(const PoseFlow& flow, std::size_t pose) {
   return PoseArrows{leads_to<PoseBlock>(flow, arrows.next) ? arrows.next : kNoBlock, arrows.leave};
 }
 
-/// Tells of loop blocks that nothing leads to: they go.
-void tell_of_lost_loops(const PoseFlow& flow, Diagnostics& diagnostics) {
+/// Reports loop blocks that no arrow leads to: they are removed.
+void report_lost_loops(const PoseFlow& flow, Diagnostics& diagnostics) {
   std::vector<bool> is_entered(flow.blocks.size());
   for (const Block& block : flow.blocks) {
     for (const int target : {block.normal, block.branch}) {
@@ -148,7 +149,7 @@ void tell_of_lost_loops(const PoseFlow& flow, Diagnostics& diagnostics) {
   }
 }
 
-/// The poses in the order of the file, but the one where the flow begins first.
+/// The poses in the order of the file, except that the first pose of the flow comes first.
 /// \errors FLW001 if it does not begin with a pose
 Result<std::vector<std::size_t>> poses_in_order(const PoseFlow& flow) {
   const int start = first_block(flow);
@@ -165,7 +166,7 @@ Result<std::vector<std::size_t>> poses_in_order(const PoseFlow& flow) {
 }
 
 /// Writes a pose that leads to itself twice, each leading to the other: WORD_N's poses cannot lead
-/// to themselves. What runs is the same, for as long as a button is held.
+/// to themselves. The flow runs the same while a button is held.
 void part_from_itself(PoseFlow& flow, std::size_t number, Diagnostics& diagnostics) {
   const int self = static_cast<int>(number);
   if (flow.blocks[number].normal != self && flow.blocks[number].branch != self) return;
@@ -187,7 +188,7 @@ Result<PoseFlow> as_word_n(const PoseFlow& source, Diagnostics& diagnostics) {
   if (auto refused = unsayable(source)) return std::move(*refused);
   const auto poses = poses_in_order(source);
   if (!poses) return fail(poses.error());
-  tell_of_lost_loops(source, diagnostics);
+  report_lost_loops(source, diagnostics);
   std::vector<int> place_of(source.blocks.size(), kNoBlock);
   for (std::size_t p = 0; p < poses->size(); ++p) place_of[(*poses)[p]] = static_cast<int>(p);
   PoseFlow made;

@@ -9,10 +9,10 @@
 namespace kinefile::flow {
 namespace {
 
-/// Points for a pixel of the editor, so that its 54 pixels from block to block hold our labels.
+/// Points per pixel of the editor, so that our labels fit into its 54 pixels from block to block.
 constexpr double kPointsPerPixel = 1.5;
 
-/// A text between the quotes of DOT, where a backslash would begin an escape.
+/// A text for quotes in DOT, where a backslash begins an escape.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -53,7 +53,7 @@ std::string text_of(const PoseBlock& pose) {
   return text;
 }
 
-/// What a block does, as a label says it; empty for those whose kind says all.
+/// The label of a block's action; empty if its kind is sufficient.
 std::string deed_of(const Block& block) {
   if (const auto* pose = std::get_if<PoseBlock>(&block.body)) return text_of(*pose);
   if (const auto* sum = std::get_if<ArithmeticBlock>(&block.body)) return text_of(*sum);
@@ -61,7 +61,7 @@ std::string deed_of(const Block& block) {
   return {};
 }
 
-/// How a kind of block is drawn; start, end, pose, loop, arithmetic, branch.
+/// The style of each kind of block: start, end, pose, loop, arithmetic, branch.
 constexpr std::string_view kLooks[] = {
     "shape=oval",          "shape=oval, peripheries=2",
     "shape=box",           "shape=hexagon, style=filled, fillcolor=\"#ffe9b3\"",
@@ -85,13 +85,13 @@ std::string node_of(const PoseFlow& flow, std::size_t number, bool is_reached) {
                      is_reached ? "" : ", color=gray, fontcolor=gray, style=dashed");
 }
 
-/// What the second arrow of a block is called.
+/// The label of a block's second arrow.
 std::string_view branch_name(const Block& block) {
   if (std::holds_alternative<LoopBlock>(block.body)) return "leave";
   return std::holds_alternative<BranchBlock>(block.body) ? "branch" : "break";
 }
 
-/// The arrows that can be taken.
+/// The arrows that can be followed.
 std::string drawn_arrows(const PoseFlow& flow, std::size_t number) {
   const Block& block = flow.blocks[number];
   std::string text;

@@ -47,7 +47,8 @@ void add_row(Machine& machine) {
   machine.run.sliders.append({machine.variables.data(), machine.flow.num_sliders});
 }
 
-/// Where the sliders are and where a pose wants them; those that jump are there already.
+/// The current words of the sliders and those of a pose; sliders that jump have the new words
+/// already.
 void aim(Machine& machine, const PoseBlock& pose) {
   for (std::size_t s = 0; s < machine.flow.num_sliders; ++s) {
     machine.to[s] = goal_of(machine, pose.words[s], s);
@@ -60,9 +61,9 @@ void begin_pose(Machine& machine, std::size_t block, const PoseBlock& pose) {
   note_servos(machine, block);
   if (pose.sound.empty()) return;
   auto& events = machine.run.events;
-  const bool is_told = !events.empty() && events.back().tick == machine.tick &&
-                       events.back().block == block && events.back().sound.empty();
-  if (!is_told) events.push_back({machine.tick, block, {}, machine.servo_off, false});
+  const bool is_reported = !events.empty() && events.back().tick == machine.tick &&
+                           events.back().block == block && events.back().sound.empty();
+  if (!is_reported) events.push_back({machine.tick, block, {}, machine.servo_off, false});
   events.back().sound = pose.sound;
 }
 
@@ -82,7 +83,7 @@ std::int32_t result_of(Arithmetic operation, std::int32_t a, std::int32_t b) {
   return b;
 }
 
-/// Says something of a block, the first time only.
+/// Reports something about a block, the first time only.
 void warn_once(Machine& machine, std::string code, std::size_t block, std::string message) {
   if (machine.has_warned[block]) return;
   machine.has_warned[block] = true;
@@ -128,7 +129,7 @@ bool goes_on(Machine& machine, std::size_t block) {
 }
 
 void note_servos(Machine& machine, std::size_t block) {
-  if (machine.flow.format != FlowFormat::V1R4) return;  // there they are sliders
+  if (machine.flow.format != FlowFormat::V1R4) return;  // WORD_N: 62 and 63 are sliders
   const auto servo_off = stored_servo_off(machine);
   if (servo_off == machine.servo_off) return;
   machine.servo_off = servo_off;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot that a flow runs on: its variables, the time, and what has happened.
+// The state of the robot that runs a flow: its variables, the time, and the events so far.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 namespace kinefile::flow {
 
 /// The sliders that take new values at once unless a project says otherwise: the voice, the
-/// selectors of lights and the digital outputs, whose words are no positions.
+/// selectors of lights and the digital outputs, whose words are not positions.
 constexpr bool jumps_by_default(std::size_t slider) {
   return slider == 30 || (slider >= 37 && slider <= 40);
 }
 
 using Variables = std::array<std::int16_t, kNumVariables>;
 
-/// Where variables tell which servos are without power: channels 0 to 15, and the others.
+/// The variables that hold which servos are without power: channels 0 to 15, and the others.
 inline constexpr std::size_t kServoOffVariable = 62;
 
 /// A robot. The first variables are its sliders.
@@ -28,29 +28,29 @@ struct Machine {
   Diagnostics& diagnostics;
   Variables variables = {};
   std::vector<std::uint64_t> visits =
-      {};  ///< by block: the normal ways it went since the last branch
+      {};  ///< by block: how often it followed the normal arrow since the last branch
   std::uint64_t tick = 0;
   std::size_t next_input = 0;
-  std::optional<bool> is_held = {};  ///< as an input said
+  std::optional<bool> is_held = {};  ///< from an input
   std::bitset<kNumServos> servo_off = {};
   std::vector<bool> has_warned = {};             ///< by block
-  std::vector<std::int16_t> from = {}, to = {};  ///< room for the sliders of a pose
+  std::vector<std::int16_t> from = {}, to = {};  ///< buffers for the sliders of a pose
   Run run = {};
 };
 
 /// A robot that stands in its base pose at tick 0.
 Machine start(const PoseFlow& flow, const RunOptions& options, Diagnostics& diagnostics);
 
-/// Does what persons and sensors do at this tick.
+/// Applies the inputs of this tick.
 void take_inputs(Machine& machine);
 
-/// Whether a loop goes on: by the button, or by how often it did. Counts a visit.
+/// Whether a loop continues: by the button, or by its number of repetitions. Counts a visit.
 bool goes_on(Machine& machine, std::size_t block);
 
-/// Tells of variables 62 and 63, if what they say of servos has changed.
+/// Adds an event for variables 62 and 63, if their servo states have changed.
 void note_servos(Machine& machine, std::size_t block);
 
-/// Brings the sliders to a pose, tick by tick. Returns false if the time limit came first.
+/// Moves the sliders to a pose, tick by tick. Returns false if the time limit is reached.
 bool run_pose(Machine& machine, std::size_t block);
 
 /// Computes a block's result and stores it.
@@ -60,7 +60,7 @@ Result<void> compute(Machine& machine, std::size_t block);
 /// Whether a branch block's condition holds.
 bool holds(const BranchBlock& branch, std::int16_t value);
 
-/// Says something of a block, at its line.
+/// Reports something about a block, at its line.
 void warn(Machine& machine, Severity severity, std::string code, std::size_t block,
           std::string message);
 Error block_error(const PoseFlow& flow, std::size_t block, std::string code, std::string message);

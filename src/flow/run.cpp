@@ -8,19 +8,19 @@
 namespace kinefile::flow {
 namespace {
 
-/// Notices blocks that go round without a pose, by meeting a state again (Brent's method: the
-/// state that is remembered is renewed after 1, 2, 4, ... steps) or by their number.
+/// Detects cycles of blocks without a pose, by a repeated state (Brent's method: the stored state
+/// is replaced after 1, 2, 4, ... steps) or by the number of steps.
 class StandstillGuard {
  public:
   explicit StandstillGuard(const Machine& machine) : visits_(machine.visits) {}
 
-  /// Time has passed.
+  /// Resets the detection after time has passed.
   void reset() { num_steps_ = 0; }
 
-  /// Whether the machine can go on no longer, about to enter a block without time passing.
+  /// Whether the machine is in a cycle, when it is about to enter a block without time passing.
   bool is_stuck(const Machine& machine, std::size_t block) {
     constexpr std::size_t kMostSteps = 100'000;     // between two poses
-    constexpr std::size_t kMostInAll = 10'000'000;  // with poses of a tick between them
+    constexpr std::size_t kMostInAll = 10'000'000;  // with poses of one tick between them
     if (num_steps_ > 0 && block == block_ && machine.variables == variables_ &&
         machine.visits == visits_) {
       return true;
@@ -47,7 +47,7 @@ bool is_pose(const Machine& machine, std::size_t block) {
   return std::holds_alternative<PoseBlock>(machine.flow.blocks[block].body);
 }
 
-/// Runs a block that takes no time, and notes in its step which way it goes.
+/// Runs a block that takes no time, and records in its step which arrow it follows.
 Result<void> run_at_once(Machine& machine, Step& step) {
   const BlockBody& body = machine.flow.blocks[step.block].body;
   if (std::holds_alternative<LoopBlock>(body)) {
@@ -64,7 +64,7 @@ Result<void> run_at_once(Machine& machine, Step& step) {
   return {};
 }
 
-/// Runs a pose. Of WORD_N, one with a break asks when it is finished whether to go on.
+/// Runs a pose. In WORD_N, a pose with a break checks at its end whether to continue.
 bool run_timed(Machine& machine, Step& step) {
   if (!run_pose(machine, step.block)) return false;
   if (machine.flow.format == FlowFormat::WordN &&
@@ -74,7 +74,7 @@ bool run_timed(Machine& machine, Step& step) {
   return true;
 }
 
-/// How a flow ends at a block that leads nowhere. Of WORD_N that is its way to end.
+/// How a flow ends at a block that leads nowhere. In WORD_N this is the normal end.
 End end_at(Machine& machine, const Step& step) {
   if (machine.flow.format == FlowFormat::WordN) return End::EndBlock;
   warn(machine, Severity::Note, "RUN005", step.block,

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSudden = 90;            // degrees
 constexpr std::size_t kLongestSpike = 5;  // frames
 
-/// The angle that a joint turns by between two frames, in degrees; nothing without two rotations.
+/// The angle between a joint's rotations in two frames, in degrees; nothing if one is missing.
 std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, std::size_t a,
                                    std::size_t b) {
   const auto rotation = [&poses, joint](std::size_t frame) {
@@ -24,7 +24,8 @@ std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, s
   return std::isfinite(angle) ? std::optional(angle) : std::nullopt;
 }
 
-/// The frame of `poses` in which a joint is back after a turn between `before` and the next frame.
+/// The frame of `poses` in which a joint has turned back after a turn between `before` and the next
+/// frame.
 std::optional<std::size_t> return_after(const LocalPoses& poses, std::size_t joint,
                                         std::size_t before, double degrees) {
   const std::size_t end = std::min(before + 2 + kLongestSpike, poses.num_frames);
@@ -36,7 +37,7 @@ std::optional<std::size_t> return_after(const LocalPoses& poses, std::size_t joi
 }
 
 /// Finds the turns of a joint that begin before frame `end` of `poses`.
-/// \param next  the frame of the motion from which turns count: those back are no turns
+/// \param next  the frame of the motion from which turns count: turning back is not reported
 void find_turns(const LocalPoses& poses, std::size_t joint, std::size_t end, std::size_t& next,
                 std::vector<SuddenTurn>& turns) {
   for (std::size_t f = 0; f < end && f + 1 < poses.num_frames; ++f) {
@@ -60,7 +61,8 @@ std::vector<SuddenTurn> find_sudden_turns(const Motion& motion) {
   std::vector<std::size_t> next(motion.skeleton.joints.size(), 0);
   KinematicsOptions options;
   options.rotations = true;
-  options.num_frames = block + 1 + kLongestSpike;  // a turn is followed into the next block
+  options.num_frames = block + 1 + kLongestSpike;  // the search for turning back continues in the
+                                                   // next block
   for (; options.first_frame < motion.clip.num_frames; options.first_frame += block) {
     const LocalPoses poses = local_poses(motion.skeleton, motion.clip, options);
     for (std::size_t j = 0; j < next.size(); ++j) find_turns(poses, j, block, next[j], turns);

@@ -11,7 +11,7 @@
 namespace kinefile {
 namespace {
 
-/// The joints to compare; tells which there are in one motion only.
+/// The joints to compare; also reports the joints that only one motion has.
 std::vector<JointPair> pair_joints(const Skeleton& first, const Skeleton& second,
                                    MotionComparison& comparison) {
   std::vector<JointPair> pairs = match_joints(first, second);
@@ -41,7 +41,7 @@ class NearestFrames {
     for (std::size_t f = 0; f < times_.size(); ++f) frames_.push_back(f);
     for (double& time : times_) time = std::isnan(time) ? 0 : time;  // NaN has no order
     if (std::is_sorted(times_.begin(), times_.end())) return;
-    // Times that a lenient reader has let pass go back.
+    // A lenient reader may have accepted decreasing times.
     std::stable_sort(frames_.begin(), frames_.end(),
                      [this](std::size_t a, std::size_t b) { return times_[a] < times_[b]; });
     std::sort(times_.begin(), times_.end());
@@ -61,7 +61,7 @@ class NearestFrames {
  private:
   const Clip& clip_;
   std::vector<double> times_;        ///< rising
-  std::vector<std::size_t> frames_;  ///< of `times_`
+  std::vector<std::size_t> frames_;  ///< the frame of each of `times_`
 };
 
 /// The frames of the second clip that are nearest to those of the first.
@@ -72,7 +72,7 @@ std::vector<std::size_t> partners_of(const Clip& first, const Clip& second) {
   std::vector<std::size_t> partners;
   partners.reserve(first.num_frames);
   for (std::size_t f = 0; f < first.num_frames; ++f) {
-    // The times of a frame time that was cut off would drift away.
+    // Times from a truncated frame time would drift.
     const double time =
         has_times ? time_of_frame(first.timeline, f) : static_cast<double>(f) / rate;
     partners.push_back(nearest.at(time));
@@ -80,7 +80,8 @@ std::vector<std::size_t> partners_of(const Clip& first, const Clip& second) {
   return partners;
 }
 
-/// How many of the frames from `start` on are compared at once, so that neither side is too long.
+/// How many of the frames from `start` on are compared at once, so that neither side needs too many
+/// frames.
 std::size_t frames_at_once(const std::vector<std::size_t>& partners, std::size_t start,
                            std::size_t most_a, std::size_t most_b) {
   std::size_t lowest = partners[start], highest = partners[start], count = 1;
@@ -93,8 +94,8 @@ std::size_t frames_at_once(const std::vector<std::size_t>& partners, std::size_t
   return count;
 }
 
-/// The distance of two points; NaN agrees with NaN and with nothing else.
-/// \param scale  what brings the second one to the unit of the first
+/// The distance of two points; NaN equals NaN and nothing else.
+/// \param scale  converts the second point to the unit of the first
 double distance_of(const double* a, const double* second, double scale) {
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -124,7 +125,7 @@ void keep_larger(LargestDifference& largest, double value, const std::string& jo
 
 struct Side {
   const Motion& motion;
-  double scale;  ///< to the first motion's unit of length
+  double scale;  ///< from the second motion's unit of length to the first's
   std::vector<std::size_t> first_tip;
   WorldPoses poses;
 

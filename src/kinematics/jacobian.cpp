@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One row at a time, joint by joint up to the root: what the kernel does for many, and its
-// derivative. A column's derivative is how the point moves in the world while everything nearer to
-// the root stands still.
+// Computes one row at a time, from a joint up to the root: the same as the kernel for many rows,
+// and its derivative. The derivative by a column is the velocity of the point in the world while
+// all joints nearer to the root are fixed.
 
 #include <algorithm>
 #include <cassert>
@@ -20,7 +20,7 @@ Mat3 eigen_of(const simd::Matrix& m) {
   return matrix;
 }
 
-/// The quaternion that a joint turns by, not normalised.
+/// The quaternion of a joint, not normalised.
 Quat quaternion_in_row(const simd::PlannedJoint& joint, std::span<const double> row) {
   const double* q = &row[joint.whole_coordinate];
   return {q[0], q[1], q[2], q[3]};
@@ -34,7 +34,7 @@ Mat3 rotation_of_quaternion(const simd::PlannedJoint& joint, std::span<const dou
   return (is_unit ? q : Quat(Quat::Coefficients(q.coeffs() / q.norm()))).toRotationMatrix();
 }
 
-/// The rotation vector that a joint turns by, in radians.
+/// The rotation vector of a joint, in radians.
 Vec3 vector_in_row(const simd::PlannedJoint& joint, double radians_per_unit,
                    std::span<const double> row) {
   return radians_per_unit * Vec3(&row[joint.whole_coordinate]);
@@ -45,15 +45,15 @@ Mat3 rotation_of_vector(const Vec3& vector) {
   return Eigen::AngleAxisd(angle, angle == 0 ? Vec3::UnitX() : Vec3(vector / angle)).matrix();
 }
 
-/// The whole rotation that a joint turns by, if it does.
+/// The whole rotation of a joint, if it has one.
 Mat3 whole_rotation(const simd::PlannedJoint& joint, double radians_per_unit,
                     std::span<const double> row) {
   if (joint.whole == simd::WholeRotation::Quaternion) return rotation_of_quaternion(joint, row);
   return rotation_of_vector(vector_in_row(joint, radians_per_unit, row));
 }
 
-/// How a rotation turns for a change of its rotation vector, seen in the frame that it acts in: the
-/// left Jacobian of the exponential map.
+/// The rotation caused by a change of a rotation vector, in the frame in which the rotation acts:
+/// the left Jacobian of the exponential map.
 Mat3 turn_of_vector(const Vec3& vector) {
   constexpr double kSmall = 1e-4;  // radians; below, two terms of the series are exact
   const double square = vector.squaredNorm();
@@ -67,7 +67,7 @@ Mat3 turn_of_vector(const Vec3& vector) {
   return Mat3::Identity() + first * cross + second * (cross * cross);
 }
 
-/// Where a joint's origin lies in its parent's frame, without what the parent's tail does.
+/// The position of a joint's origin in its parent's frame, without the parent's tail moves.
 Vec3 origin_in_row(const simd::PlannedJoint& joint, std::span<const double> row) {
   Vec3 origin = eigen_of(joint.offset);
   for (const simd::Shift& shift : joint.shifts) {
@@ -76,7 +76,7 @@ Vec3 origin_in_row(const simd::PlannedJoint& joint, std::span<const double> row)
   return origin;
 }
 
-/// What a move of a tail adds to a point for a change of its coordinate by 1.
+/// The derivative of a point by the value of a tail move.
 Vec3 step_of(const simd::TailMove& move, const Vec3& point) {
   const Vec3 direction = eigen_of(move.direction);
   return move.is_scale ? Vec3(point.dot(direction) * direction) : direction;
@@ -113,7 +113,7 @@ struct Columns {
       numbers[3 * coordinate + k] += derivative[static_cast<Eigen::Index>(k)];
     }
   }
-  /// \param derivative  by the value that the column gives
+  /// \param derivative  the derivative by the value of the degree of freedom
   void add(const simd::Input& input, const Vec3& derivative) const {
     add(input.coordinate, input.gain * derivative);
   }
@@ -122,7 +122,7 @@ struct Columns {
 /// The moves of a joint's tail, for a point that they act on.
 void add_tail(const simd::PlannedJoint& joint, const JointFrame& frame, const Vec3& point,
               std::span<const double> row, const Columns& columns) {
-  Vec3 moved = point;  // by the moves further in
+  Vec3 moved = point;  // the point after the inner moves
   for (std::size_t m = joint.tail_moves.size(); m-- > 0;) {
     const simd::TailMove& move = joint.tail_moves[m];
     const Vec3 step = step_of(move, moved);
@@ -132,8 +132,8 @@ void add_tail(const simd::PlannedJoint& joint, const JointFrame& frame, const Ve
   }
 }
 
-/// A quaternion. A change d of q turns the joint by the vector of
-/// 2 d conjugate(q) / |q|^2, seen in the frame that the quaternion acts in.
+/// A quaternion. A change d of q rotates the joint by the vector part of 2 d conjugate(q) / |q|^2,
+/// in the frame in which the quaternion acts.
 void add_quaternion(const simd::PlannedJoint& joint, const Mat3& outer, const Vec3& arm,
                     std::span<const double> row, const Columns& columns) {
   const Quat q = quaternion_in_row(joint, row);
@@ -166,7 +166,7 @@ void add_rotations(const simd::PlannedJoint& joint, Mat3 outer, const Vec3& arm,
   } else if (joint.whole == simd::WholeRotation::AxisAngle) {
     add_vector(joint, outer, arm, radians_per_unit, row, columns);
   }
-  for (const simd::Turn& turn : joint.turns) {  // there are none beside a whole rotation
+  for (const simd::Turn& turn : joint.turns) {  // empty if there is a whole rotation
     const Vec3 axis = eigen_of(turn.direction);
     columns.add(turn.input, radians_per_unit * (outer * axis).cross(arm));
     outer = outer * Eigen::AngleAxisd(radians_per_unit * turn.input.value(row.data()), axis);
@@ -194,7 +194,7 @@ void Kinematics::place_row(std::span<const double> row, std::span<JointFrame> fr
     }
     for (const simd::Turn& turn : joint.turns) {
       double angle = turn.input.value(row.data());
-      // Whole turns are taken off first, which is exact in degrees.
+      // Whole turns are subtracted first, which is exact in degrees.
       if (plan_->world.is_in_degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
       frame.rotation = frame.rotation * Eigen::AngleAxisd(angle, eigen_of(turn.direction));
     }

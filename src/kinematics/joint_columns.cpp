@@ -10,14 +10,14 @@
 namespace kinefile {
 namespace {
 
-/// A column that moves a point: along which way by a change of 1.
+/// A column that moves a point, and the displacement per unit.
 struct Way {
   Vec3 along = Vec3::Zero();
   std::size_t column = 0;
 };
 
-/// The columns that may change, once each: where several translations read one, it moves along the
-/// sum.
+/// The columns that may change, once each: if several translations read one, their directions are
+/// added.
 std::vector<Way> ways_of(const std::vector<Translation>& translations,
                          const std::vector<bool>& follows) {
   std::vector<Way> ways;
@@ -37,7 +37,7 @@ std::vector<Way> ways_of(const std::vector<Translation>& translations,
   return ways;
 }
 
-/// After how much a column comes round that is read by rotations alone, with these gains.
+/// The period of a column that only rotations with these gains read.
 double turn_of_gains(const std::vector<double>& gains, double whole_turn) {
   constexpr double kTolerance = 1e-9;
   double least = 0;
@@ -140,7 +140,7 @@ Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& transla
 double fit_position(const Vec3& offset, const std::vector<Translation>& translations,
                     const Vec3& position, std::span<double> row, const std::vector<bool>& follows) {
   const std::vector<Way> ways = ways_of(translations, follows);
-  // Where the point is while the columns that may change are 0.
+  // The position of the point if the columns that may change are 0.
   Vec3 start = offset;
   for (std::size_t t = 0; t < translations.size(); ++t) {
     const DegreeOfFreedom& dof = translations[t].dof;
@@ -159,12 +159,12 @@ double fit_position(const Vec3& offset, const std::vector<Translation>& translat
     values[static_cast<Eigen::Index>(k)] = std::isfinite(now) ? now : 0;
   }
   constexpr double kSquare = 1e-12;
-  // Axes at right angles, which is the rule, need no equations: exact where they are x, y and z.
+  // Perpendicular axes, the usual case, need no equations: exact if they are x, y and z.
   if ((axes.transpose() * axes).isIdentity(kSquare)) {
     values = axes.transpose() * wanted;
   } else {
     const auto solver = axes.completeOrthogonalDecomposition();
-    // The second step takes off what rounding left of the first.
+    // The second step removes the rounding error of the first.
     for (int step = 0; step < 2; ++step) values += solver.solve(wanted - axes * values);
   }
   for (std::size_t k = 0; k < ways.size(); ++k) {

@@ -16,8 +16,8 @@ double whole_turn(AngleUnit unit);
 /// Whether all numbers are finite.
 bool all_finite(std::span<const double> numbers);
 
-/// After how much the number of each column gives the same rotations again; 0 for columns that give
-/// more than angles, or angles that do not all come round together; shape (coordinates).
+/// The period after which the number in each column gives the same rotations again; 0 for columns
+/// that do not only give angles, or give angles without a common period; shape (coordinates).
 std::vector<double> turns_of_columns(const Skeleton& skeleton);
 
 /// The value of a degree of freedom that reads one column.
@@ -25,9 +25,9 @@ inline double value_in_row(const DegreeOfFreedom& dof, std::span<const double> r
   return value_of(dof, row[dof.coordinate]);
 }
 
-/// Brings the number in one degree of freedom's column to another's. It keeps its bits where both
-/// make the same of it.
-/// \param factor  of the values: between units, or -1
+/// Converts the number in one degree of freedom's column to that of another. It keeps its bits if
+/// both have the same gain and shift.
+/// \param factor  applied to the value: between units, or -1
 double carried_over(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor,
                     double number);
 
@@ -36,30 +36,29 @@ double carried_over(const DegreeOfFreedom& from, const DegreeOfFreedom& to, doub
 std::vector<bool> following_dofs(const std::vector<DegreeOfFreedom>& dofs, std::size_t joint,
                                  const std::vector<std::size_t>& leaders);
 
-/// Gives the columns that repeat the values of following joints (see `following_columns`) those
-/// values.
-/// \param first  of the columns; those before it keep theirs
+/// Sets the columns that repeat the values of following joints (see `following_columns`).
+/// \param first  the first column to set; columns before it stay unchanged
 void fill_following_columns(Motion& motion, std::size_t first);
 
-/// A degree of freedom that moves a joint's origin, and along which axis of its parent's frame.
+/// A degree of freedom that translates a joint's origin, and its axis in the parent's frame.
 struct Translation {
   Vec3 axis = Vec3::Zero();
   DegreeOfFreedom dof;
 };
 
-/// What moves a joint's origin: its translations, or the first three columns of a free joint.
+/// The translations of a joint's origin: its own, or the first three columns of a free joint.
 std::vector<Translation> translations_of(const Joint& joint);
 
-/// Where translations put a point, for a joint's origin in its parent's frame.
-/// \param offset  where the point is without them
+/// The position of a point after translations, for a joint's origin in its parent's frame.
+/// \param offset  the position without translations
 Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& translations,
                      std::span<const double> row);
 
-/// Finds the values of translations that put a point in a place, or as near to it as they can, by
-/// least squares. Where several values do, those nearest to the ones in the row.
-/// \param offset     where the point is without them
-/// \param follows    translations that stay as they are; shape (translations), or empty for none
-/// \returns the distance that remains
+/// Finds the values of translations that move a point to a place, or as near to it as possible, by
+/// least squares. If several solutions exist, the one nearest to the values in the row.
+/// \param offset     the position without translations
+/// \param follows     translations that keep their values; shape (translations), or empty for none
+/// \returns the residual distance
 double fit_position(const Vec3& offset, const std::vector<Translation>& translations,
                     const Vec3& position, std::span<double> row,
                     const std::vector<bool>& follows = {});

@@ -13,7 +13,7 @@ namespace {
 /// The rotation vector of a rotation, in radians.
 Vec3 rotation_vector(const Mat3& rotation) { return 2 * log_of(Quat(rotation)); }
 
-/// An angle in radians. Whole turns are taken off first, which is exact in degrees.
+/// An angle in radians. Whole turns are subtracted first, which is exact in degrees.
 double radians_of(double angle, AngleUnit unit) {
   return unit == AngleUnit::Degrees ? std::remainder(angle, 360.0) * kRadiansPerDegree : angle;
 }
@@ -26,14 +26,14 @@ Quat quaternion_of_vector(const Vec3& vector, AngleUnit unit) {
   return Quat(std::cos(half), v.x(), v.y(), v.z());
 }
 
-/// The rotation vector of a rotation that is nearest to another one: of all angles about its axis
-/// that give it.
+/// The rotation vector of a rotation that is nearest to another one: chosen from all angles about
+/// its axis that give the rotation.
 Vec3 rotation_vector_near(const Quat& rotation, AngleUnit unit, const Vec3& near) {
   const double turn = 2 * std::numbers::pi / radians_per(unit);
   const Vec3 shortest = 2 * log_of(rotation) / radians_per(unit);
   const double angle = shortest.norm();
   if (!near.allFinite()) return shortest;
-  if (angle == 0) {  // any axis gives no turn: the one that is there
+  if (angle == 0) {  // every axis gives the identity: keep the current one
     const double length = near.norm();
     const double whole = turn * std::round(length / turn);
     return whole == 0 ? Vec3(Vec3::Zero()) : Vec3(near * (whole / length));
@@ -42,8 +42,8 @@ Vec3 rotation_vector_near(const Quat& rotation, AngleUnit unit, const Vec3& near
   return nearest_turn(angle, near.dot(axis), turn) * axis;
 }
 
-/// Finds the angles that bring `rotations` nearest to a rotation, by Gauss and Newton, from the
-/// angles that the row has.
+/// Finds the angles for which `rotations` are nearest to a rotation, by the Gauss-Newton method,
+/// starting from the angles in the row.
 void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3& rotation,
                        AngleUnit unit, const std::vector<bool>& follows, std::span<double> row) {
   constexpr int kMostSteps = 30;
@@ -51,7 +51,8 @@ void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3
   using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 16>;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(rotations.size(), 16));
   for (int step = 0; step < kMostSteps; ++step) {
-    // A small change of angle d turns the product by the axis, seen through the rotations outside.
+    // A small change of angle d rotates the product about the axis, transformed by the outer
+    // rotations.
     Mat3 outer = Mat3::Identity();
     Jacobian jacobian(3, count);
     for (Eigen::Index d = 0; d < count; ++d) {

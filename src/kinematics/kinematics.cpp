@@ -12,7 +12,7 @@ simd::Matrix matrix_of(const Mat3& m) {
   return {vector_of(m.col(0)), vector_of(m.col(1)), vector_of(m.col(2))};
 }
 
-/// The kernel's word for an axis: 0, 1 or 2 along x, y or z, up to its sign; 3 for any other.
+/// The kernel's number of an axis: 0, 1 or 2 along x, y or z, up to its sign; 3 for any other.
 std::size_t kernel_axis(const Vec3& axis) {
   const auto along = coordinate_axis(axis);
   return along ? *along : coordinate_axis(-axis).value_or(3);

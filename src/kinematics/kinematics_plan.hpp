@@ -13,7 +13,7 @@ struct Kinematics::Plan {
   simd::Plan local;
   std::size_t num_coordinates = 0;
   std::size_t num_tips = 0;
-  double radians_per_unit = 1;  ///< of an angle
+  double radians_per_unit = 1;  ///< of an angle unit
 };
 
 }  // namespace kinefile

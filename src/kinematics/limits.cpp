@@ -6,10 +6,10 @@
 namespace kinefile {
 namespace {
 
-/// A value this near to its limit, as a share of it, may have been rounded.
+/// A value may exceed its limit by this fraction of it, because of rounding.
 constexpr double kTolerance = 1e-9;
 
-/// Counts a frame that is beyond a limit by so much.
+/// Records a frame that is beyond a limit.
 void count(LimitBreach& breach, std::size_t frame, double value, double excess, double& worst) {
   if (!(excess > kTolerance * std::abs(breach.limit))) return;
   if (breach.num_frames == 0) breach.first_frame = frame;

@@ -6,7 +6,7 @@
 namespace kinefile {
 namespace {
 
-/// The vector along a joint's bone; zero if nothing hangs on the joint.
+/// The vector along a joint's bone; zero if the joint has no children and tips.
 Vec3 bone_vector(const Skeleton& skeleton, const Joint& joint,
                  const std::vector<std::size_t>& children) {
   Vec3 sum = Vec3::Zero();

@@ -82,7 +82,8 @@ double RotationFitter::fit_one_by_one(const simd::Quaternions& quaternions,
     const auto row = rows[frames.first + i];
     const Quat rotation = rotation::quaternion_at(quaternions, i);
     const bool is_finite = rotation.coeffs().allFinite();
-    for (std::size_t d = 0; d < rotations_.size(); ++d) {  // what others lead is in the row
+    for (std::size_t d = 0; d < rotations_.size(); ++d) {  // values that other joints lead are in
+                                                           // the row already
       if (!follows_.empty() && follows_[d]) copy_columns(rotations_[d], row, near_);
     }
     const bool is_exact = is_whole_rotation(rotations_) && (follows_.empty() || !follows_[0]);

@@ -26,18 +26,18 @@ std::vector<FrameBatch> batches_of(std::size_t num_frames);
 void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
                        const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out);
 
-/// Brings many rotations back to the degrees of freedom of a joint, each near the one before:
+/// Finds the values of a joint's degrees of freedom for many rotations, each near the previous one:
 /// `fit_rotation` for many.
 class RotationFitter {
  public:
   /// \param rotations  of `rotations_of`
-  /// \param start      a row with the numbers that the first are to be near
-  /// \param follows    rotations that stay as they are (see `fit_rotation`)
+  /// \param start      a row with the numbers that the first ones shall be near
+  /// \param follows    rotations that keep their values (see `fit_rotation`)
   RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit unit,
                  std::span<const double> start, std::vector<bool> follows = {});
 
   /// Writes the numbers of the next rotations; NaN for one that is not finite.
-  /// \param quaternions  one a frame; in: the rotations; out: without meaning
+  /// \param quaternions  one per frame; in: the rotations; out: unspecified
   /// \returns            the largest residual angle, in radians
   double fit(simd::Quaternions& quaternions, const FrameBatch& frames, const Rows& rows);
 
@@ -48,8 +48,8 @@ class RotationFitter {
   std::vector<DegreeOfFreedom> rotations_;
   AngleUnit unit_;
   std::vector<bool> follows_;
-  std::optional<rotation::AngleFinder> finder_;  ///< where the axes are three that allow it
-  std::vector<double> near_;                     ///< else: a row with the numbers before
+  std::optional<rotation::AngleFinder> finder_;  ///< if three axes can represent every rotation
+  std::vector<double> near_;                     ///< otherwise: a row with the previous numbers
   simd::Angles angles_;
 };
 

@@ -10,11 +10,12 @@ namespace {
 constexpr Eigen::Index kY = 1;
 constexpr Eigen::Index kZ = 2;
 
-/// How a figure stands along y and z, over some frames.
+/// Heights of a figure along y and z, over some frames.
 struct Standing {
   std::size_t num_frames = 0;
-  Eigen::Array3d height = Eigen::Array3d::Zero();  ///< sum of the joints' mean over the lowest
-  Eigen::Array3d lowest = Eigen::Array3d::Zero();  ///< sum of where the lowest point is
+  Eigen::Array3d height = Eigen::Array3d::Zero();  ///< sum over frames: the joints' mean above the
+                                                   ///< lowest point
+  Eigen::Array3d lowest = Eigen::Array3d::Zero();  ///< sum over frames: the lowest point
   Eigen::Array3d lowest_squares = Eigen::Array3d::Zero();
 };
 
@@ -39,8 +40,8 @@ void add_frame(const WorldPoses& poses, std::size_t frame, Standing& standing) {
   standing.lowest_squares += lowest.square();
 }
 
-/// How high the joints lie over the lowest point, less what that point wanders: large along the
-/// axis that points up, since feet come back to one ground.
+/// The mean height of the joints above the lowest point, minus the variation of that point: large
+/// along the axis that points up, because feet return to the same ground.
 Eigen::Array3d uprightness(const Standing& standing) {
   const double count = static_cast<double>(std::max<std::size_t>(standing.num_frames, 1));
   const Eigen::Array3d mean = standing.lowest / count;

@@ -20,7 +20,7 @@ Quat slerp_one_way(const Quat& a, const Quat& b, double t) {
   const double sine = across.norm();
   constexpr double kNearlyEqual = 1e-8;  // the chord differs from the arc by less than a bit
   if (sine < kNearlyEqual) {
-    if (cosine < 0) return a;  // opposite: every way is as long
+    if (cosine < 0) return a;  // opposite: every path has the same length
     return weighted_sum(a, 1 - t, b, t).normalized();
   }
   const double angle = std::atan2(sine, cosine);
@@ -41,7 +41,7 @@ Quat nlerp(const Quat& a, const Quat& b, double t) {
 
 Vec3 log_of(const Quat& q) {
   const double sine = q.vec().norm();
-  // The nearer of the two twins, so that the vector is no longer than a quarter turn.
+  // The nearer of q and -q, so that the vector is at most a quarter turn.
   const double angle = std::atan2(sine, std::abs(q.w()));
   const double sign = q.w() < 0 ? -1 : 1;
   constexpr double kSmall = 1e-150;

@@ -40,20 +40,20 @@ Vec3 euler_angles(const Mat3& rotation, const EulerAxes& axes, const Vec3& near)
   const bool is_proper = std::abs(along_first) > 0.5;
   const double sign = (is_proper ? along_first : axes[2].dot(basis.col(2))) < 0 ? -1 : 1;
 
-  // What vanishes when the outer axes coincide: the sine (proper) or the cosine of b.
+  // Vanishes when the outer axes coincide: the sine (proper) or the cosine of b.
   const double lock = is_proper ? std::hypot(r(0, 1), r(0, 2)) : std::hypot(r(0, 0), r(0, 1));
   const double b = is_proper ? std::atan2(lock, r(0, 0)) : std::atan2(r(0, 2), lock);
   // In gimbal lock only the sum or the difference of a and c is known, and a may be chosen.
   constexpr double kLocked = 1e-12;
   const double free_a = is_proper ? std::atan2(r(1, 0), -r(2, 0)) : std::atan2(-r(1, 2), r(2, 2));
   const double a = lock < kLocked ? near[0] : free_a;
-  // Rx(-a) r is a rotation by (0, b, c), whose second row tells c. Found so, c makes up for the
-  // error of an a that is hardly known; read from the first row of r, it would not.
+  // Rx(-a) r is a rotation by (0, b, c), whose second row gives c. This c compensates the error of
+  // an ill-conditioned a; c from the first row of r would not.
   const Vec3 row = std::cos(a) * r.row(1).transpose() + std::sin(a) * r.row(2).transpose();
   const double c = sign * (is_proper ? std::atan2(-row[2], row[1]) : std::atan2(row[0], row[1]));
   const Vec3 first = nearest_turns({a, b, c}, near, kTurn);
   if (lock < kLocked) return first;
-  // The same rotation by the other way around the middle axis.
+  // The other triple of the same rotation: the middle angle has the opposite sign.
   const double pi = std::numbers::pi;
   const Vec3 second = nearest_turns({a + pi, is_proper ? -b : pi - b, c + pi}, near, kTurn);
   const bool is_second = (second - near).squaredNorm() < (first - near).squaredNorm();

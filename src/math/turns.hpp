@@ -7,8 +7,8 @@
 
 namespace kinefile {
 
-/// An angle changed by whole turns to within half a turn of another; itself, bit for bit, if it is
-/// there already.
+/// An angle plus whole turns, so that it is within half a turn of another; unchanged, bit for bit,
+/// if it already is.
 /// \param turn  a whole turn in the unit of the angles
 inline double nearest_turn(double angle, double near, double turn) {
   const double turns = (near - angle) / turn;

@@ -29,7 +29,7 @@ const Component* main_component(const BodyMotion& motion) {
 
 std::array<double, 4> quaternion_of_pose(PoseForm form, std::span<const double> pose) {
   if (form == PoseForm::Quaternion) return {pose[3], pose[4], pose[5], pose[6]};
-  // Each entry as Choreonoid writes it out, so that not even the last bit differs.
+  // The entries are computed as in Choreonoid, so that the results are the same bit for bit.
   const double sr = std::sin(pose[3]), cr = std::cos(pose[3]);
   const double sp = std::sin(pose[4]), cp = std::cos(pose[4]);
   const double sy = std::sin(pose[5]), cy = std::cos(pose[5]);

@@ -15,7 +15,7 @@ std::string_view kind_name(const Document& document) {
 
 namespace {
 
-/// What a document holds, for a sentence.
+/// The kind of a document, for a sentence.
 std::string_view words_for_kind(const Document& document) {
   constexpr std::string_view kWords[] = {"a motion", "a skeleton alone", "a body motion",
                                          "a flow of poses"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All ways through a flow, in time that grows with the number of its blocks, without recursion.
+// Analyses all paths through a flow, in time linear in the number of blocks, without recursion.
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace kinefile {
 namespace {
 
-/// The ways out of every block: at most two.
+/// The successors of every block: at most two.
 using Ways = std::vector<std::array<int, 2>>;
 
 bool is_pose(const Block& block) { return std::holds_alternative<PoseBlock>(block.body); }
@@ -30,7 +30,7 @@ Ways ways_of(const PoseFlow& flow) {
   return ways;
 }
 
-/// Groups of blocks that lead to each other and back: Tarjan's algorithm.
+/// Strongly connected groups of blocks: Tarjan's algorithm.
 class Cycles {
  public:
   explicit Cycles(const Ways& ways)
@@ -103,15 +103,15 @@ class Cycles {
   std::size_t num_groups_ = 0;
 };
 
-/// What is known of a group of blocks.
+/// Properties of a group of blocks.
 struct Group {
   std::size_t first = std::numeric_limits<std::size_t>::max();
-  bool goes_round = false;  ///< some way leads from a block of it to one of it
-  bool can_leave = false;   ///< some way leads out of it, or nowhere
+  bool goes_round = false;  ///< some arrow leads from a block of the group to one of the group
+  bool can_leave = false;   ///< some arrow leads out of the group, or nowhere
   bool has_pose = false;
 };
 
-/// Whether a flow can stop at a block, because a way that it may take leads nowhere.
+/// Whether a flow can stop at a block, because an arrow that it may follow leads nowhere.
 bool may_stop(const PoseFlow& flow, const Block& block) {
   if (is_end(block) || block.normal == kNoBlock) return true;
   return flow.format == FlowFormat::V1R4 && may_branch(block) && block.branch == kNoBlock;
@@ -137,7 +137,7 @@ std::vector<Group> groups_of(const PoseFlow& flow, const Ways& ways,
   return groups;
 }
 
-/// The ways among blocks that take no time.
+/// The arrows between blocks that take no time.
 Ways without_poses(const PoseFlow& flow, Ways ways) {
   for (std::size_t b = 0; b < ways.size(); ++b) {
     for (int& way : ways[b]) {

@@ -8,11 +8,11 @@
 namespace kinefile {
 namespace {
 
-/// Whether a text has a pattern's form, in which `*` stands for any characters.
+/// Whether a text matches a pattern, in which `*` stands for any characters.
 bool has_form(std::string_view text, std::string_view pattern) {
   std::size_t t = 0;
   std::size_t p = 0;
-  std::size_t star = std::string_view::npos;  // the last one met, and where its text began
+  std::size_t star = std::string_view::npos;  // the last `*`, and where its text begins
   std::size_t start = 0;
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
@@ -97,7 +97,8 @@ std::vector<std::size_t> JointNames::matching(std::string_view pattern) const {
 std::vector<JointPair> match_joints(const Skeleton& first, const Skeleton& second) {
   const JointNames first_names(first);
   const JointNames second_names(second);
-  std::vector<std::size_t> num_taken(second.joints.size(), 0);  // of a name, by its first joint
+  std::vector<std::size_t> num_taken(second.joints.size(), 0);  // per name, at the index of its
+                                                                // first joint
   std::vector<JointPair> pairs;
   for (std::size_t j = 0; j < first.joints.size(); ++j) {
     const std::string& name = first.joints[j].name;

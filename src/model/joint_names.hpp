@@ -11,27 +11,27 @@
 
 namespace kinefile {
 
-/// Finds the joints of a skeleton by name. A name means the joints that are spelled like it, else
-/// those that are whatever the case, where no other joint differs from them by case alone; where
-/// there is none, the joints of which this is so of `Joint::joint_name`.
+/// Finds the joints of a skeleton by name. A name matches the joints with exactly this name;
+/// otherwise those that differ only in case, if no two joints differ by case alone; otherwise the
+/// same search is done with `Joint::joint_name`.
 class JointNames {
  public:
   explicit JointNames(const Skeleton& skeleton);
 
-  /// The joints of a name, in skeleton order; none if there is no such joint.
+  /// The joints that match a name, in skeleton order; empty if there are none.
   const std::vector<std::size_t>& find(std::string_view name) const;
 
-  /// The joints of a name in which `*` stands for any characters, in skeleton order.
+  /// The joints that match a pattern in which `*` stands for any characters, in skeleton order.
   std::vector<std::size_t> matching(std::string_view pattern) const;
 
-  /// The same, whatever `joint_name` says.
+  /// The same, without `joint_name`.
   const std::vector<std::size_t>& find_name(std::string_view name) const;
 
-  /// Whether no two joints have this name in different cases.
+  /// Whether no two joints have this name with different case.
   bool has_one_spelling(std::string_view name) const;
 
  private:
-  /// The joints by one of their names.
+  /// An index of joints by one kind of name.
   struct Index {
     std::vector<std::string> names = {};                         ///< by joint; empty for none
     std::map<std::string, std::vector<std::size_t>> exact = {};  ///< by name

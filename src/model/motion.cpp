@@ -8,7 +8,7 @@
 namespace kinefile {
 namespace {
 
-/// What is wrong with a clip; empty if nothing is.
+/// The first fault of a clip; empty if there is none.
 std::string fault_of_clip(const Clip& clip, std::size_t num_columns) {
   if (clip.num_coordinates != num_columns) {
     return fmt::format("expected a column for each of {} coordinates, found {} columns",

@@ -6,7 +6,7 @@
 namespace kinefile {
 
 double angle_of_word(const ServoMapEntry& entry, double word) {
-  // A zero that is added makes 0 of -0, which would only puzzle.
+  // Adding 0 turns -0 into 0, because -0 would confuse readers.
   return entry.sign * (word - entry.offset) / entry.units_per_degree * kRadiansPerDegree + 0.0;
 }
 

@@ -17,7 +17,7 @@ bool is_joint(const RobotProject& project, std::size_t index) {
   });
 }
 
-/// A name that no entry has yet: the slider's own, or one with its number.
+/// A unique name for an entry: the slider's own, or one with its number.
 std::string joint_name(const ServoMap& map, const std::string& name, std::size_t slider) {
   const bool is_taken =
       std::any_of(map.entries.begin(), map.entries.end(),

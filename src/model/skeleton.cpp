@@ -25,7 +25,7 @@ bool is_whole_rotation(DofKind kind) {
   return kind == DofKind::Ball || kind == DofKind::RotationVector;
 }
 
-/// What a degree of freedom breaks, or an empty text.
+/// The rule that a degree of freedom breaks, or an empty text.
 std::string fault_of(const DegreeOfFreedom& dof, std::size_t num_columns) {
   if (dof.coordinate + num_coordinates(dof) > num_columns ||
       dof.coordinate + num_coordinates(dof) < dof.coordinate) {
@@ -69,7 +69,7 @@ std::string fault_of(const Joint& joint, std::size_t index, std::size_t num_colu
   return {};
 }
 
-/// What the columns of a degree of freedom hold in the rest pose; shape (its coordinates).
+/// The rest values in the columns of a degree of freedom; shape (its coordinates).
 std::vector<double> rest_numbers(const Joint& joint, const DegreeOfFreedom& dof) {
   switch (dof.kind) {
     case DofKind::Free:
@@ -83,7 +83,7 @@ std::vector<double> rest_numbers(const Joint& joint, const DegreeOfFreedom& dof)
   }
 }
 
-/// The first column in which two joints rest at different numbers, in words, or an empty text.
+/// A description of the first column with two different rest values, or an empty text.
 std::string disagreement_at_rest(const Skeleton& skeleton) {
   const std::vector<double> rest = rest_coordinates(skeleton);
   for (const Joint& joint : skeleton.joints) {
@@ -186,7 +186,7 @@ std::size_t num_dofs(const Joint& joint) {
   std::size_t count = 0;
   for (const DegreeOfFreedom& dof : joint.dofs) {
     const std::size_t num_columns = num_coordinates(dof);
-    // A quaternion has a number more than it has ways to change.
+    // A quaternion has one number more than it has degrees of freedom.
     count += num_columns - (dof.kind == DofKind::Free || dof.kind == DofKind::Ball ? 1 : 0);
   }
   return count;

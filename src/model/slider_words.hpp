@@ -10,16 +10,16 @@
 
 #include "kinefile/pose_flow.hpp"
 
-// How formats of servo poses write the words of sliders.
+// The notation of slider words in formats of servo poses.
 namespace kinefile {
 
-/// A word as RobovieMaker writes it: 0x2b01 of a slider that is enabled, 0X2b01 of one that is not.
+/// A word as RobovieMaker writes it: 0x2b01 for an enabled slider, 0X2b01 for a disabled one.
 inline std::string word_text(const SliderWord& word) {
   return fmt::format("0{}{:04x}", word.is_enabled ? 'x' : 'X',
                      static_cast<std::uint16_t>(word.value));
 }
 
-/// Reads 0x or 0X and four hexadecimal digits; empty if a text is anything else.
+/// Reads 0x or 0X and four hexadecimal digits; empty for any other text.
 inline std::optional<SliderWord> parse_word(std::string_view text) {
   if (text.size() != 6 || text[0] != '0' || (text[1] != 'x' && text[1] != 'X')) return std::nullopt;
   unsigned bits = 0;
@@ -32,7 +32,7 @@ inline std::optional<SliderWord> parse_word(std::string_view text) {
   return SliderWord{static_cast<std::int16_t>(bits), text[1] == 'x'};
 }
 
-/// The mask of servos without power as 30 digits, the first of channel 0.
+/// The mask of servos without power as 30 digits, the first for channel 0.
 inline std::string servo_mask_text(const std::bitset<kNumServos>& servo_off) {
   std::string text(kNumServos, '0');
   for (std::size_t channel = 0; channel < kNumServos; ++channel) {

@@ -9,10 +9,10 @@
 namespace kinefile {
 namespace {
 
-/// A positive number as it is written in decimals.
+/// The decimal notation of a positive number.
 struct Decimals {
-  double unit = 0;     ///< of the last decimal place; 0 where there are more than 15 digits
-  int num_digits = 0;  ///< that count: without leading zeros
+  double unit = 0;     ///< of the last decimal place; 0 if there are more than 15 digits
+  int num_digits = 0;  ///< significant digits: without leading zeros
 };
 
 Decimals decimals_of(double value) {
@@ -28,15 +28,15 @@ Decimals decimals_of(double value) {
   return {};
 }
 
-/// Whether a frame time is that of a rate, exactly or cut off or rounded to its last place.
+/// Whether a frame time is that of a rate: exactly, truncated or rounded to its last place.
 bool stands_for(double time, const Decimals& decimals, double rate) {
-  constexpr int kFewestDigits = 3;  // 0.03 may well be meant
+  constexpr int kFewestDigits = 3;  // 0.03 may be intended
   if (1 / rate == time) return true;
   const double lost = (1 / rate - time) / decimals.unit;
   return decimals.num_digits >= kFewestDigits && lost > -0.5001 && lost < 1;
 }
 
-/// The frames that hold times, counted from 0 s, each after the one before; or not all do.
+/// Whether every time matches a frame, counted from 0 s, and the frames are strictly increasing.
 bool hold_all(std::span<const double> times, double frame_rate) {
   double before = -std::numeric_limits<double>::infinity();
   for (const double time : times) {
@@ -54,7 +54,7 @@ bool do_rise(std::span<const double> times) {
   return true;
 }
 
-/// The whole number that a frame is but for the rounding of its arithmetic, or the frame.
+/// The whole number that a frame equals except for arithmetic rounding, otherwise the frame.
 double without_rounding(double frame) {
   const double whole = std::round(frame);
   return std::abs(frame - whole) <= 1e-12 * std::max(1.0, std::abs(whole)) ? whole : frame;
@@ -157,7 +157,7 @@ FramePosition position_in_time(std::span<const double> times, double seconds) {
   const auto before = static_cast<std::size_t>(next - times.begin()) - 1;
   if (next == times.end()) return {before, 0};
   const double share = (seconds - times[before]) / (*next - times[before]);
-  // Only times that do not rise lead out of the interval.
+  // Only times that are not increasing lead outside the interval.
   return share >= 0 && share < 1 ? FramePosition{before, share} : FramePosition{before, 0};
 }
 

@@ -13,7 +13,7 @@
 namespace kinefile::retime {
 namespace {
 
-/// The joints that two skeletons share: the first of one is the first of the other.
+/// The joints that two skeletons share; equal indices belong together.
 struct SharedJoints {
   std::vector<std::size_t> first;
   std::vector<std::size_t> second;
@@ -28,16 +28,16 @@ SharedJoints joints_in_both(const Skeleton& first, const Skeleton& second) {
   return shared;
 }
 
-/// So many frames are compared with so many that time and memory stay bounded: about a second.
+/// The number of compared frames is limited so that time and memory stay bounded: about a second.
 std::size_t most_samples(const Skeleton& first, const Skeleton& second) {
   constexpr double kMostSamples = 1500;
-  constexpr double kMostComparisons = 1.2e8;  // of a joint with a joint
+  constexpr double kMostComparisons = 1.2e8;  // of pairs of joints
   const std::size_t joints = std::max(first.joints.size(), second.joints.size());
   const double affordable = std::sqrt(kMostComparisons / static_cast<double>(joints));
   return static_cast<std::size_t>(std::clamp(affordable, 2.0, kMostSamples));
 }
 
-/// Evenly spread frames of a motion, the first and the last among them.
+/// Evenly spaced frames of a motion, including the first and the last.
 std::vector<std::size_t> sampled_frames(std::size_t num_frames, std::size_t most) {
   const std::size_t count = std::min(num_frames, most);
   std::vector<std::size_t> frames = {0};
@@ -60,8 +60,8 @@ Motion with_frames(const Motion& motion, const std::vector<std::size_t>& frames)
   return result;
 }
 
-/// What brings a motion's lengths to those of another: metres where both say their units, else the
-/// size of the rest pose.
+/// The factor from a motion's lengths to those of another: by metres if both specify their units,
+/// otherwise by the sizes of the rest poses.
 double length_scale(const Motion& motion, const Motion& other) {
   const bool has_units = motion.skeleton.metres_per_unit > 0 && other.skeleton.metres_per_unit > 0;
   if (has_units) return motion.skeleton.metres_per_unit;
@@ -87,8 +87,8 @@ std::vector<FramePair> align_frames(const Motion& reference, const Motion& motio
 
 double number(std::size_t count) { return static_cast<double>(count); }
 
-/// How far the motion's frame is from the straight map, at each sampled frame of the reference;
-/// the mean where several of the motion's frames belong to one.
+/// The deviation of the motion's frame from the linear map, at each sampled frame of the reference;
+/// the mean if several of the motion's frames belong to one.
 std::vector<double> departures(const std::vector<FramePair>& way,
                                const std::vector<std::size_t>& reference_frames,
                                const std::vector<std::size_t>& motion_frames) {
@@ -105,7 +105,7 @@ std::vector<double> departures(const std::vector<FramePair>& way,
   return sums;
 }
 
-/// The mean of what is around a place, as far to one side as to the other.
+/// The mean over a symmetric neighbourhood of an index.
 double smoothed(const std::vector<double>& values, std::size_t at, std::size_t reach) {
   reach = std::min({reach, at, values.size() - 1 - at});
   double sum = 0;
@@ -113,11 +113,11 @@ double smoothed(const std::vector<double>& values, std::size_t at, std::size_t r
   return sum / number(2 * reach + 1);
 }
 
-/// Knots every few samples through which a map rises, from the first frames to the last.
+/// Knots every few samples of a strictly increasing map, from the first frames to the last.
 std::vector<Knot> rising_knots(const std::vector<double>& departures,
                                const std::vector<std::size_t>& reference_frames,
                                double last_motion_frame) {
-  constexpr std::size_t kSpacing = 8;  // samples: twice what one of the longest runs takes
+  constexpr std::size_t kSpacing = 8;  // in samples: twice the length of the longest run
   const std::size_t last = departures.size() - 1;
   const std::size_t num_pieces = std::max<std::size_t>(last / kSpacing, 1);
   const Knot start{0, 0};
@@ -133,7 +133,7 @@ std::vector<Knot> rising_knots(const std::vector<double>& departures,
   }
   knots.front() = start;
   knots.back() = end;
-  // A little of the straight map makes the curve rise where the motions stand still, too.
+  // A small share of the linear map keeps the curve increasing where the motions stand still.
   constexpr double kShare = 1e-6;
   for (Knot& knot : knots) {
     knot.y += kShare * (straight_at(start, end, knot.x) - knot.y);

@@ -11,13 +11,15 @@
 namespace kinefile::retime {
 namespace {
 
-constexpr double kMostSpeed = 0.2;     // metres a second
+constexpr double kMostSpeed = 0.2;     // metres per second
 constexpr double kMostHeight = 0.04;   // metres above the ground
 constexpr double kLeastTime = 0.1;     // seconds
-constexpr double kGroundShare = 0.02;  // of all frames a foot point is no higher than the ground
+constexpr double kGroundShare = 0.02;  // the fraction of frames in which a foot point is at or
+                                       // below ground level
 constexpr double kPersonHeight = 1.7;  // metres
 
-/// The length of a unit in metres: the skeleton's, or one by which the rest pose is a person.
+/// The length of a unit in metres: that of the skeleton, or one with which the rest pose has a
+/// person's height.
 double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& diagnostics) {
   if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
   const Box box = world_extent(skeleton, rest_clip(skeleton));
@@ -37,8 +39,8 @@ double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& di
   return kPersonHeight / height;
 }
 
-/// The height that one in fifty frames stays below: the lowest one would be a foot that was
-/// measured or animated into the ground.
+/// The 2nd percentile of heights. The minimum would be wrong where a foot was captured or animated
+/// below the ground.
 double ground_height(const std::vector<Vec3>& track, Eigen::Index up) {
   std::vector<double> heights;
   for (const Vec3& position : track) {
@@ -51,7 +53,7 @@ double ground_height(const std::vector<Vec3>& track, Eigen::Index up) {
   return heights[static_cast<std::size_t>(rank)];
 }
 
-/// Units a second at a frame, between its neighbours.
+/// The speed at a frame in units per second, between its neighbours.
 double speed_at(const std::vector<Vec3>& track, const Timeline& timeline, std::size_t frame) {
   const std::size_t before = frame > 0 ? frame - 1 : frame;
   const std::size_t after = std::min(frame + 1, track.size() - 1);
@@ -59,7 +61,7 @@ double speed_at(const std::vector<Vec3>& track, const Timeline& timeline, std::s
   return (track[after] - track[before]).norm() / time;
 }
 
-/// Marks the frames in which a point rests on the ground for long enough.
+/// Marks the frames in which a point is on the ground for long enough.
 void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eigen::Index up,
                    double metres, std::vector<double>& weights) {
   const double highest = ground_height(track, up) + kMostHeight / metres;

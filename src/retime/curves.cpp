@@ -8,7 +8,7 @@
 namespace kinefile::retime {
 namespace {
 
-/// The widths and the slopes of the straight lines from knot to knot.
+/// The widths and the slopes of the line segments from knot to knot.
 struct Secants {
   std::vector<double> widths;
   std::vector<double> slopes;
@@ -25,8 +25,8 @@ Secants secants_of(const std::vector<Knot>& knots) {
 
 double sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// The slope at the end of the piece `at` of the parabola through its knots and the one behind
-/// `next`, as far as it is monotone.
+/// The slope at the end of piece `at`, of the parabola through its knots and the one after `next`,
+/// limited so that it is monotone.
 double end_slope(const Secants& secants, std::size_t at, std::size_t next, double most) {
   const double h0 = secants.widths[at];
   const double h1 = secants.widths[next];
@@ -38,7 +38,7 @@ double end_slope(const Secants& secants, std::size_t at, std::size_t next, doubl
 }
 
 /// Slopes by a formula for the inner knots.
-/// \param most  how many times as steep as its piece the curve may be at an end
+/// \param most  the largest ratio of the slope at an end to the slope of its piece
 template <class InnerSlope>
 std::vector<double> slopes_by(const std::vector<Knot>& knots, double most, InnerSlope inner) {
   const Secants secants = secants_of(knots);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
-/// How a pair was reached: by a step in both sequences, or by the so-manieth straight step in a
-/// row. States are numbered 0 (both), 1 ... m (next column), m + 1 ... 2m (next row).
+/// How a pair was reached: by a step in both sequences, or by the nth consecutive straight step.
+/// States are numbered 0 (both), 1 ... m (next column), m + 1 ... 2m (next row).
 using State = std::uint16_t;
 
 struct Cheapest {
@@ -20,7 +20,7 @@ struct Cheapest {
   State state = 0;
 };
 
-/// How many straight steps in a row are allowed.
+/// The maximum number of consecutive straight steps.
 std::size_t longest_run(std::size_t num_rows, std::size_t num_columns) {
   constexpr std::size_t kLongestRun = 3;
   const std::size_t more = std::max(num_rows, num_columns) - 1;
@@ -29,7 +29,8 @@ std::size_t longest_run(std::size_t num_rows, std::size_t num_columns) {
   return fewer == 0 ? more : 2 * (more / fewer + 1);
 }
 
-/// The costs of all states of the pairs of one row, and what led to the first step of each kind.
+/// The costs of all states of the pairs of one row, and the previous state of the first step of
+/// each kind.
 class Table {
  public:
   Table(std::size_t num_rows, std::size_t num_columns)
@@ -53,7 +54,7 @@ class Table {
   double* states(std::vector<double>& row, std::size_t column) const {
     return row.data() + column * num_states_;
   }
-  /// The cheapest of all states but those from `first` on, `count` of them.
+  /// The cheapest of all states except the `count` states from `first` on.
   Cheapest cheapest(const double* states, std::size_t first, std::size_t count) const;
   /// Steps from a pair along a row or a column, whose states start at `first`.
   void step_straight(const double* from, double* to, std::size_t first, double cost,

@@ -21,7 +21,8 @@ double bezier_slope(double p1, double p2, double t) {
   return 3 * s * s * p1 + 6 * s * t * (p2 - p1) + 3 * t * t * (1 - p2);
 }
 
-/// The parameter at which x is u: Newton's steps while they stay in the bracket, else its middle.
+/// The parameter at which x is u: Newton steps while they stay in the bracket, otherwise its
+/// middle.
 double bezier_parameter(const Ease& ease, double u) {
   double low = 0;
   double high = 1;
@@ -40,8 +41,8 @@ double in_out(double power, double u) {
   return u < 0.5 ? std::pow(2 * u, power) / 2 : 1 - std::pow(2 * (1 - u), power) / 2;
 }
 
-/// Numbers with commas between them, or nothing. A program may have set a locale in which the
-/// point is a comma, so that the classic one is asked for.
+/// Numbers with commas between them, or nothing. The classic locale is set explicitly, because a
+/// program may have set one with a decimal comma.
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   std::istringstream stream{std::string(text)};
   stream.imbue(std::locale::classic());
@@ -120,7 +121,7 @@ double ease_at(const Ease& ease, double u) {
 bool is_valid(const Ease& ease) {
   if (has_power(ease.kind)) return ease.power > 0 && std::isfinite(ease.power);
   if (ease.kind != Ease::Kind::Bezier) return true;
-  // Beyond this no overshoot is meant, and products of the numbers stay finite.
+  // No overshoot needs larger values, and products of the numbers stay finite.
   constexpr double kMost = 1e6;
   const auto is_share = [](double x) { return x >= 0 && x <= 1; };
   return is_share(ease.x1) && is_share(ease.x2) && std::abs(ease.y1) <= kMost &&

@@ -5,10 +5,10 @@
 
 namespace kinefile::retime {
 
-/// Whether the numbers of an ease make sense: a positive power, a Bezier curve that is a function.
+/// Whether the numbers of an ease are valid: a positive power, a Bezier curve that is a function.
 bool is_valid(const Ease& ease);
 
-/// Whether an ease runs backwards somewhere, as Bezier curves with overshoot do.
+/// Whether an ease decreases anywhere, as Bezier curves with overshoot do.
 bool goes_back(const Ease& ease);
 
 }  // namespace kinefile::retime

@@ -10,8 +10,8 @@
 namespace kinefile::retime {
 namespace {
 
-/// Copies the numbers of some joints from rows that hold all.
-/// \param size  numbers a joint
+/// Copies the numbers of some joints from rows with all joints.
+/// \param size  numbers per joint
 void append_joints(std::span<const double> all, const PoseArrays& poses, std::size_t size,
                    const std::vector<std::size_t>& joints, std::vector<double>& some) {
   for (std::size_t row = 0; row < poses.num_frames; ++row) {
@@ -22,14 +22,14 @@ void append_joints(std::span<const double> all, const PoseArrays& poses, std::si
   }
 }
 
-/// Brings the axis that points up to y.
+/// Rotates the axis that points up to y.
 void stand_up(std::vector<double>& points) {
   for (std::size_t p = 0; p < points.size(); p += 3) {
     points[p + 2] = -std::exchange(points[p + 1], points[p + 2]);
   }
 }
 
-/// Takes the mean on the ground off the points of one frame.
+/// Subtracts the mean on the ground from the points of one frame.
 /// \returns the sum of their squared distances from it
 double centre_on_ground(double* points, std::size_t num_points) {
   double x = 0;
@@ -91,7 +91,7 @@ double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,
     const double side = dot < 0 ? -1 : 1;
     double square = 0;
     for (int k = 0; k < 4; ++k) square += (p[k] - side * q[k]) * (p[k] - side * q[k]);
-    // From the chord: the arc cosine of the product is not 0 for equal rotations.
+    // Computed from the chord: the arc cosine of the product would not be 0 for equal rotations.
     const double angle = 4 * std::asin(std::min(std::sqrt(square) / 2, 1.0));
     sum += angle * angle;
   }

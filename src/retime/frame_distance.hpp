@@ -8,22 +8,22 @@
 
 namespace kinefile::retime {
 
-/// How the joints of some frames are turned; what frames are compared by.
+/// The rotations of joints in some frames, for comparing frames.
 struct FrameAngles {
   std::size_t num_joints = 0;
   std::vector<double> rotations;  ///< [frame][joint][4], in the parents' frames
 };
 
-/// Where the joints of some frames are, with their mean on the ground (y is up) taken off.
+/// The positions of joints in some frames, minus their mean on the ground (y is up).
 struct FramePoints {
   std::size_t num_joints = 0;
   std::vector<double> points;   ///< [frame][joint][3]
   std::vector<double> spreads;  ///< [frame], the sum of squared distances from the mean
 };
 
-/// \param joints  which, in this order
+/// \param joints  the joints to use, in this order
 FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
-/// \param scale  what all lengths are multiplied by
+/// \param scale  the factor for all lengths
 FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints,
                              double scale);
 
@@ -31,11 +31,11 @@ FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t
 double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,
                 std::size_t frame_b);
 
-/// The sum of the squared distances between the joints of two frames after the best turn and
-/// shift of one of them on the ground; 0 for equal ones.
+/// The sum of the squared distances between the joints of two frames after the best rotation and
+/// translation of one of them on the ground; 0 for equal ones.
 /// Source: Kovar, Gleicher and Pighin, SIGGRAPH 2002, with weights of 1. With the means at 0 the
-/// best turn is by atan2(s, c), where c = sum(x x' + z z') and s = sum(x z' - x' z), and what is
-/// left on the ground is sum(x^2 + z^2) + sum(x'^2 + z'^2) - 2 sqrt(c^2 + s^2).
+/// best rotation is by atan2(s, c), where c = sum(x x' + z z') and s = sum(x z' - x' z), and the
+/// residual on the ground is sum(x^2 + z^2) + sum(x'^2 + z'^2) - 2 sqrt(c^2 + s^2).
 double distance(const FramePoints& a, std::size_t frame_a, const FramePoints& b,
                 std::size_t frame_b);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostValues = std::size_t{1} << 30;  // 8 GiB
 
-/// The old timeline for another number of frames: times of single frames do not fit any more.
+/// The old timeline for another number of frames: the frames' own times are no longer valid.
 Timeline without_times(Timeline timeline) {
   if (has_own_times(timeline)) timeline.given = FrameRate{frame_rate(timeline)};
   return timeline;

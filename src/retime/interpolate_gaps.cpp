@@ -30,7 +30,7 @@ std::vector<Group> groups_of(const InterpolationPlan& plan) {
   return groups;
 }
 
-/// A number that is not finite but needed.
+/// A gap: a needed number that is not finite.
 struct Gap {
   std::size_t column = 0;
   std::size_t old_frame = 0;
@@ -43,7 +43,7 @@ bool has_gap(const Clip& clip, std::size_t frame) {
   return !std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// The old frames that a step is made of and that have gaps, whatever the column.
+/// The old frames of a step that have gaps in any column.
 std::vector<std::size_t> bad_frames(const Clip& clip, const std::vector<bool>& is_bad,
                                     const Step& step, bool is_cubic) {
   std::vector<std::size_t> frames;
@@ -111,7 +111,7 @@ Result<void> mark_gaps(const Motion& motion, const std::vector<Step>& steps,
   if (std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end()) return {};
   const std::vector<Group> groups = groups_of(plan);
   const bool is_cubic = options.rotation == RotationInterpolation::Cubic;
-  std::vector<Gap> gaps(motion.skeleton.joints.size());  // the first of each joint
+  std::vector<Gap> gaps(motion.skeleton.joints.size());  // the first gap of each joint
   for (const Step& step : steps) {
     if (step.is_copy()) continue;
     const auto frames = bad_frames(clip, is_bad, step, is_cubic);

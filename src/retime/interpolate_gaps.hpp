@@ -6,9 +6,8 @@
 
 namespace kinefile::retime {
 
-/// Finds the numbers of new frames that would have to be made of numbers that are not finite, and
-/// makes them NaN: a number where one that it is made of is such, all angles of a rotation where
-/// one of them is.
+/// Finds the numbers of new frames whose inputs are not finite, and sets them to NaN; for a
+/// rotation all of its angles.
 /// \errors RTM005 if there are any, unless `options.lenient`: then a warning for each joint
 Result<void> mark_gaps(const Motion& motion, const std::vector<Step>& steps,
                        const InterpolationPlan& plan, const RetimeOptions& options, Clip& new_clip,

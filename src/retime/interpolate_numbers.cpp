@@ -15,7 +15,7 @@ void interpolate_rows(const Clip& old_clip, const std::vector<Step>& steps, Clip
       std::copy(from.begin(), from.end(), row.begin());
       continue;
     }
-    // Equal numbers give themselves, and a rising t never goes back.
+    // Equal numbers give themselves, and the result is monotone in t.
     for (std::size_t c = 0; c < row.size(); ++c) row[c] = from[c] + step.t * (to[c] - from[c]);
   }
 }
@@ -33,7 +33,7 @@ void curve_columns(const Clip& old_clip, const std::vector<Step>& steps,
     const bool is_last = frames.after == frames.to;
     const auto row = new_clip.mutate()[step.new_frame];
     for (const std::size_t c : columns) {
-      // Half the way from the frame before to the frame after is the rate at a frame.
+      // The rate at a frame is half the difference between the next and the previous frame.
       const double way = to[c] - from[c];
       const double rate_from = is_first ? way : 0.5 * (to[c] - before[c]);
       const double rate_to = is_last ? way : 0.5 * (after[c] - from[c]);
@@ -51,7 +51,7 @@ void average_columns(const Clip& old_clip, const std::vector<Step>& steps,
     const auto from = old_clip.row(step.old_frame);
     const auto row = new_clip.mutate()[step.new_frame];
     for (const std::size_t c : columns) row[c] = from[c];
-    // Differences are averaged, so that what does not move keeps its bits.
+    // Differences are averaged, so that constant values keep every bit.
     for (const Tap& tap : taps_of(step, old_clip.num_frames)) {
       const auto old_row = old_clip.row(tap.old_frame);
       for (const std::size_t c : columns) row[c] += tap.weight * (old_row[c] - from[c]);

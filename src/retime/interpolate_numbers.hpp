@@ -6,15 +6,15 @@
 
 namespace kinefile::retime {
 
-/// Fills every column of the new rows: copies where a step is whole, else numbers between the two
-/// old rows; what is part of a rotation lies near the angles that are looked for then.
+/// Fills every column of the new rows: copies if a step is whole, otherwise numbers between the two
+/// old rows. In columns of rotations these are start values, near which the angles are found later.
 void interpolate_rows(const Clip& old_clip, const std::vector<Step>& steps, Clip& new_clip);
 
-/// Puts a curve by Catmull and Rom through columns, one-sided at the ends of the motion.
+/// Interpolates columns by a Catmull-Rom curve, one-sided at the ends of the motion.
 void curve_columns(const Clip& old_clip, const std::vector<Step>& steps,
                    const std::vector<std::size_t>& columns, Clip& new_clip);
 
-/// Averages columns over the old frames where steps say so.
+/// Averages columns over old frames, for steps with an average.
 void average_columns(const Clip& old_clip, const std::vector<Step>& steps,
                      const std::vector<std::size_t>& columns, Clip& new_clip);
 

@@ -22,9 +22,9 @@ void note_single_angles(const Joint& joint, std::string_view reason, Diagnostics
 void plan_turns(const Joint& joint, AngleUnit unit, const std::vector<std::size_t>& readers,
                 InterpolationPlan& plan, Diagnostics& diagnostics) {
   const std::vector<DegreeOfFreedom> rotations = rotations_of(joint);
-  // One angle is its own best curve. Two are, too: between them the shortest way leaves what the
-  // joint can do, and the nearest angles on it differ from the straight ones by little (see the
-  // test that compares them).
+  // One angle is best interpolated as a number. So are two: the shortest path between their
+  // rotations is not possible for the joint, and the nearest possible angles differ little from
+  // linear ones (see the test that compares them).
   if (rotations.size() < 3 || is_whole_rotation(rotations)) return;
   const auto axes = euler_axes_of(rotations);
   if (!axes) {
@@ -58,7 +58,7 @@ void plan_whole_rotation(const Joint& joint, AngleUnit unit,
   plan.whole_rotations.push_back({dof, unit});
 }
 
-/// All columns that are part of no rotation.
+/// All columns that do not belong to a rotation.
 std::vector<std::size_t> other_columns(const InterpolationPlan& plan, std::size_t num_columns) {
   std::vector<bool> is_rotation(num_columns);
   for (const TurningJoint& joint : plan.turning_joints) {

@@ -10,28 +10,28 @@
 
 namespace kinefile::retime {
 
-/// A joint whose three angles are interpolated as the rotation that they make.
+/// A joint whose three angles are interpolated as one rotation.
 struct TurningJoint {
   std::array<DegreeOfFreedom, 3> rotations;  ///< outermost first
   simd::EulerForm form;
 };
 
-/// A rotation that several columns tell as a whole: a ball or a rotation vector, or the quaternion
-/// of a free joint as a ball.
+/// A whole rotation from several columns: a ball or a rotation vector, or the quaternion of a free
+/// joint as a ball.
 struct WholeRotation {
   DegreeOfFreedom dof;
   AngleUnit unit;
 };
 
-/// Which columns of a clip are interpolated how. Every column is in one of the three.
+/// How the columns of a clip are interpolated. Every column is in one of the three.
 struct InterpolationPlan {
   std::vector<TurningJoint> turning_joints;
   std::vector<WholeRotation> whole_rotations;
   std::vector<std::size_t> number_columns;
 };
 
-/// Sorts the columns by how they are interpolated. Notes the joints whose rotations are
-/// interpolated angle by angle though they have three or more (RTM007).
+/// Sorts the columns by how they are interpolated. A note reports joints with three or more
+/// rotations that are interpolated angle by angle (RTM007).
 InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpolation rotation,
                                      Diagnostics& diagnostics);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Works on some hundred new frames at a time and joint by joint: the rotations of all old frames
-// that these need are found once, then all new ones between them, in arrays that stay in the cache.
+// Works on a few hundred new frames at a time, joint by joint: first computes the rotations of all
+// old frames that these need, then all new ones between them, in arrays that stay in the cache.
 
 #include "retime/interpolate_rotations.hpp"
 
@@ -20,13 +20,13 @@ using rotation::resize;
 
 constexpr std::size_t kStepsPerBatch = 256;
 
-/// Some new frames and the old ones that they need. Old frames are counted within `old_frames`.
+/// Some new frames and the old ones that they need. Old frames are indices of `old_frames`.
 struct Batch {
   std::vector<Step> steps;                   ///< none of them a copy
   std::vector<std::size_t> old_frames;       ///< rising
-  std::vector<simd::Neighbours> neighbours;  ///< an old frame each, padded
-  std::vector<simd::Between> places;         ///< a step each, padded
-  std::vector<std::vector<Tap>> taps;        ///< a step each, empty where it is no average
+  std::vector<simd::Neighbours> neighbours;  ///< one per old frame, padded
+  std::vector<simd::Between> places;         ///< one per step, padded
+  std::vector<std::vector<Tap>> taps;        ///< one per step, empty if it is not an average
 };
 
 std::size_t index_of(const std::vector<std::size_t>& old_frames, std::size_t frame) {
@@ -34,7 +34,7 @@ std::size_t index_of(const std::vector<std::size_t>& old_frames, std::size_t fra
   return static_cast<std::size_t>(found - old_frames.begin());
 }
 
-/// The old frames that are needed, once each. Most maps rise, so they are nearly sorted.
+/// The old frames that are needed, once each. Most maps increase, so they are nearly sorted.
 void collect_old_frames(std::size_t num_old_frames, bool is_cubic, Batch& batch) {
   std::vector<std::size_t>& frames = batch.old_frames;
   for (std::size_t i = 0; i < batch.steps.size(); ++i) {
@@ -47,8 +47,8 @@ void collect_old_frames(std::size_t num_old_frames, bool is_cubic, Batch& batch)
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
 }
 
-/// What lies next to each old frame. Frames at the ends of the motion lack a neighbour; those that
-/// are there as the neighbours of others may, too, and it is not asked for.
+/// The neighbours of each old frame. Frames at the ends of the motion lack a neighbour. Frames that
+/// are here only as neighbours of others may lack one, too; it is not needed.
 void find_neighbours(Batch& batch) {
   const std::vector<std::size_t>& frames = batch.old_frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -77,7 +77,7 @@ Batch make_batch(std::vector<Step> steps, std::size_t num_old_frames, bool is_cu
   return batch;
 }
 
-/// The mean of rotations that are close together: of their quaternions on one side.
+/// The mean of rotations that are close together: the mean of their quaternions on one side.
 Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::size_t from) {
   const Quat side = quaternion_at(old, from);
   Quat::Coefficients sum = Quat::Coefficients::Zero();
@@ -87,7 +87,7 @@ Quat average(const simd::Quaternions& old, const std::vector<Tap>& taps, std::si
   return Quat(sum);
 }
 
-/// What is needed for a joint, kept for the next one.
+/// Buffers for a joint, reused for the next one.
 struct Workspace {
   simd::Angles old_angles;
   simd::Angles new_angles;
@@ -142,7 +142,8 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
   }
 }
 
-/// The rotation in a row, of unit length; NaN where a quaternion has the length 0, which is none.
+/// The rotation in a row, of unit length; NaN for a quaternion of length 0, which is not a
+/// rotation.
 Quat rotation_of_row(const WholeRotation& whole, std::span<const double> row) {
   if (whole.dof.kind == DofKind::RotationVector) {
     return whole_rotation_in_row(whole.dof, row, whole.unit);

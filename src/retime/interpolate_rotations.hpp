@@ -6,8 +6,8 @@
 
 namespace kinefile::retime {
 
-/// Fills the columns of rotations in the new rows where a step is no copy.
-/// \param new_clip  in: angles that the new ones are to be near; out: the new ones
+/// Fills the columns of rotations in the new rows whose steps are not copies.
+/// \param new_clip  in: angles that the new ones shall be near; out: the new ones
 void interpolate_rotations(const Clip& old_clip, const std::vector<Step>& steps,
                            const InterpolationPlan& plan, RotationInterpolation rotation,
                            Clip& new_clip);

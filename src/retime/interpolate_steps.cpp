@@ -8,13 +8,13 @@
 namespace kinefile::retime {
 namespace {
 
-/// Moves a value of a map into the motion; what is not a number goes to the start.
+/// Clamps a value of a map to the motion; NaN becomes the start.
 double within(double old_frame, double last) {
   assert(!std::isnan(old_frame));
   return old_frame > 0 ? std::min(old_frame, last) : 0;
 }
 
-/// How many old frames go by in a new one.
+/// The number of old frames per new frame.
 double rate_at(const std::vector<double>& old_frames, std::size_t frame, double last) {
   const std::size_t first = frame > 0 ? frame - 1 : 0;
   const std::size_t second = std::min(frame + 1, old_frames.size() - 1);
@@ -46,8 +46,8 @@ Around around(const Step& step, std::size_t num_old_frames) {
 }
 
 std::vector<Tap> taps_of(const Step& step, std::size_t num_old_frames) {
-  // Where more frames than this are passed over, only some of them are looked at, so that the work
-  // for a new frame is bounded.
+  // If more frames than this are skipped, only some of them are used, so that the work for a new
+  // frame is bounded.
   constexpr double kMostTapsAside = 256;
   const double centre = static_cast<double>(step.old_frame) + step.t;
   const double width = 3 * step.sigma;

@@ -14,8 +14,8 @@ tl::unexpected<Error> refuse_rate(std::string message) {
   return fail(make_error(ErrorKind::Usage, "RTM002", std::move(message)));
 }
 
-/// How many new frames there are: one for every whole one up to the end, and the end.
-/// \param end  where the old motion ends, in new frames
+/// The number of new frames: every whole frame up to the end, and the end.
+/// \param end  the end of the old motion, in new frames
 Result<std::size_t> count_frames(double end) {
   const double last = std::ceil(without_rounding(end));
   if (!(last < kMostFrames)) {
@@ -47,7 +47,7 @@ bool do_rise(const std::vector<double>& times) {
          std::is_sorted(times.begin(), times.end());
 }
 
-/// The old frame, fractions included, at a time; the first and the last stay before and after.
+/// The old frame at a time, including a fraction; clamped to the first and the last.
 double frame_within(const std::vector<double>& times, double seconds) {
   const FramePosition position = position_in_time(times, seconds);
   return on_whole_frame(static_cast<double>(position.frame) + position.share);
@@ -111,7 +111,8 @@ Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start) {
   if (!std::isfinite(start)) {
     return refuse_rate(fmt::format("expected a time to begin at, found {} s", start));
   }
-  // Where a frame holds a time it shows that time's frame, whatever digits the time has lost.
+  // If a frame matches a time, it shows exactly that time's frame, in spite of rounding in the
+  // time.
   std::vector<double> times = own_times(clip.timeline);
   const bool is_whole = frame_rate == std::round(frame_rate);
   const auto held = [frame_rate](double time) { return frame_that_holds(time, frame_rate); };

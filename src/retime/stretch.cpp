@@ -10,7 +10,7 @@
 namespace kinefile::retime {
 namespace {
 
-/// A stretch of old frames within which the weight does not change.
+/// A piece of old frames with constant weight.
 struct Piece {
   double length = 0;  ///< old frames
   double weight = 0;
@@ -36,7 +36,7 @@ tl::unexpected<Error> no_room(const Knot& from, const Knot& to, const char* reas
                                      from.y, from.x, to.y, to.x, reason)));
 }
 
-/// Adds the knots behind `from` up to `to`.
+/// Adds the knots after `from` up to `to`.
 Result<void> add_stretched(const Knot& from, const Knot& to, const std::vector<double>& weights,
                            std::vector<Knot>& knots) {
   const std::vector<Piece> pieces = pieces_between(from.y, to.y, weights);
@@ -62,7 +62,7 @@ Result<void> add_stretched(const Knot& from, const Knot& to, const std::vector<d
     weighted += piece.length * piece.weight;
     knots.push_back({from.x + (length + k * weighted), from.y + direction * length});
   }
-  if (!pieces.empty()) knots.pop_back();  // it is `to`, but for rounding
+  if (!pieces.empty()) knots.pop_back();  // it equals `to` except for rounding
   knots.push_back(to);
   return {};
 }

@@ -13,15 +13,15 @@
 namespace kinefile::retime {
 namespace {
 
-/// What follows the last knot: a straight line.
+/// The line after the last knot.
 struct StraightTail {
   double rise = 1;  ///< old frames
-  double run = 1;   ///< in so many new frames
+  double run = 1;   ///< new frames for `rise`
   double end = 0;   ///< the new frame at which it reaches the end of the motion
   double end_old = 0;
 };
 
-/// A map before it is asked for its frames.
+/// A map before its frames are computed.
 struct Plan {
   std::vector<Knot> knots;
   std::vector<double> slopes = {};  ///< at the knots; empty: straight pieces, eased
@@ -48,7 +48,7 @@ Result<void> check_key(const Knot& key, double last_frame) {
   return {};
 }
 
-/// The keys by their new frames, the implied 0:0 among them.
+/// The keys sorted by new frames, including the implied 0:0.
 Result<std::vector<Knot>> sorted_keys(const WarpOptions& options, double last_frame) {
   std::vector<Knot> keys;
   for (const WarpKey& key : options.keys) {
@@ -78,7 +78,7 @@ Result<void> keep_length(std::vector<Knot>& keys, double last_frame) {
 }
 
 Result<void> check_interval(const Knot& from, const Knot& to, const WarpOptions& options) {
-  constexpr double kLeastWidth = 1e-9;  // narrower ones are one frame, written twice
+  constexpr double kLeastWidth = 1e-9;  // narrower intervals are one frame, written twice
   if (to.x - from.x < kLeastWidth) {
     return refuse_keys(fmt::format("expected one key for the new frame {}, found {} and {}", to.x,
                                    text_of(from), text_of(to)));
@@ -135,7 +135,7 @@ Result<void> check_weights(const std::vector<double>& weights, std::size_t num_f
   return {};
 }
 
-/// What follows the last key where the motion does not keep its length.
+/// The line after the last key if the motion does not keep its length.
 Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double last_frame) {
   StraightTail tail;
   const Knot last = keys.back();
@@ -159,7 +159,7 @@ Result<StraightTail> tail_after(const std::vector<Knot>& keys, Tail kind, double
   return tail;
 }
 
-/// The slopes at the knots of a smooth curve; `tail_rate` is that of the line it goes over into.
+/// The slopes at the knots of a smooth curve; `tail_rate` is the rate of the line that follows it.
 std::vector<double> slopes_for(const std::vector<Knot>& knots, WarpCurve curve,
                                std::optional<double> tail_rate) {
   if (curve == WarpCurve::Linear || knots.size() < 2) return {};
@@ -196,7 +196,7 @@ void add_interval(const Plan& plan, std::size_t j, double last_frame,
   while (static_cast<double>(old_frames.size()) < to.x) {
     const auto frame = static_cast<double>(old_frames.size());
     double old_frame = frame == from.x ? from.y : between_knots(plan, j, frame);
-    if (plan.is_curve_monotone) {  // in spite of rounding, too
+    if (plan.is_curve_monotone) {  // also in spite of rounding
       old_frame = std::clamp(old_frame, std::min(previous, to.y), std::max(previous, to.y));
     }
     previous = old_frame;
@@ -248,7 +248,7 @@ Result<Plan> plan_for(std::size_t num_frames, const WarpOptions& options) {
   return plan;
 }
 
-/// A value between those of the frames beside it.
+/// A value interpolated between the neighbouring frames.
 double value_at(const std::vector<double>& values, double frame) {
   const auto before = static_cast<std::size_t>(frame);
   const double share = frame - static_cast<double>(before);
@@ -256,8 +256,8 @@ double value_at(const std::vector<double>& values, double frame) {
   return on_whole_frame(values[before] + share * (values[before + 1] - values[before]));
 }
 
-/// Counts the old frames of keys, and weights, in frames of a steady rate.
-/// \param steady  the old frame that each of those shows
+/// Converts the old frames of keys, and weights, to frames of a steady rate.
+/// \param steady  the old frame that each of these frames shows
 Result<void> count_steadily(const std::vector<double>& steady, double last_frame,
                             WarpOptions& options) {
   for (WarpKey& key : options.keys) {
@@ -273,7 +273,7 @@ Result<void> count_steadily(const std::vector<double>& steady, double last_frame
   return {};
 }
 
-/// The map through keys for frames that have times of their own.
+/// The map through keys for frames that have their own times.
 Result<TimeMap> warp_by_times(const Timeline& timeline, std::size_t num_frames, WarpOptions options,
                               Diagnostics& diagnostics) {
   const auto rate = rate_for(timeline);
@@ -299,7 +299,7 @@ Result<TimeMap> warp_by_times(const Timeline& timeline, std::size_t num_frames, 
   return map;
 }
 
-/// The frame at which a key in seconds is new.
+/// The new frame of a key in seconds.
 double new_frame_at(const Timeline& timeline, double seconds) {
   if (!has_own_times(timeline)) return frame_at_time(timeline, seconds);
   const auto rate = rate_for(timeline);

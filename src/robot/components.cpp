@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components of body motions as motions of loose parts, and back.
+// Components of body motions as motions of separate parts, and back.
 
 #include <fmt/format.h>
 
@@ -73,7 +73,8 @@ void append_parts(const Skeleton& from, Skeleton& to) {
   }
 }
 
-/// Whether frames of one number belong together: not where one has times that the other has not.
+/// Whether frames with the same number belong together: always if both have equal intervals,
+/// otherwise only if they have the same times.
 bool are_together(const Component& a, const Component& b) {
   const bool has_times = has_own_times(a.timeline) || has_own_times(b.timeline);
   return !has_times || have_same_times(a.timeline, b.timeline);
@@ -158,22 +159,22 @@ Result<Motion> motion_of_links(const BodyMotion& motion) {
 
 namespace {
 
-/// The joints that move freely, and where their columns begin in the old and the new clip.
+/// The joints that move freely, and the first of their columns in the old and the new clip.
 struct FreedJoint {
   std::size_t old_column;
   std::size_t new_column;
 };
 
-/// The axes of the angles that a joint gets which moved freely.
+/// The axes of the angles that replace a free joint's quaternion.
 EulerAxes freed_axes() { return {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()}; }
 
-/// The rotation of a free pose; none where its quaternion is zero.
+/// The rotation of a free pose; identity if its quaternion is zero.
 Quat rotation_of_pose(std::span<const double> pose) {
   const Quat q(pose[3], pose[4], pose[5], pose[6]);
   return q.squaredNorm() > 0 ? q.normalized() : Quat::Identity();
 }
 
-/// Turns the free poses of a joint into positions and angles, each near the ones before.
+/// Converts the free poses of a joint to positions and angles, each near the previous ones.
 void write_freed(const Clip& from, const FreedJoint& joint, AngleUnit unit, const Rows& rows) {
   rotation::AngleFinder finder(freed_axes(), unit == AngleUnit::Degrees, Vec3::Zero());
   simd::Quaternions quaternions;
@@ -201,7 +202,7 @@ Motion without_free_joints(const Motion& motion) {
   Skeleton& skeleton = changed.skeleton;
   skeleton.coordinates.clear();
   std::vector<FreedJoint> freed;
-  std::vector<std::size_t> old_columns;  // of the new columns that stay
+  std::vector<std::size_t> old_columns;  // for each new column that is copied
   std::vector<std::size_t> new_of_old(motion.clip.num_coordinates, 0);
   std::vector<std::size_t> first_free(motion.clip.num_coordinates, kNoParent);
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion of a figure on a robot whose joints are called alike: rotations from the rest poses
-// on, joint by joint; no balance, no reach.
+// Transfers the motion of a figure to a robot with the same joint names: rotations relative to the
+// rest poses, joint by joint; without balance and without inverse kinematics.
 
 #include <fmt/format.h>
 
@@ -16,21 +16,21 @@
 namespace kinefile::robot {
 namespace {
 
-/// What of a turn a robot's joints may leave undone before it is told, in degrees.
-constexpr double kToldDegrees = 1e-4;
+/// The largest residual rotation of a robot's joints without a warning, in degrees.
+constexpr double kReportedDegrees = 1e-4;
 
-/// A link of the robot that follows a joint of the figure, and the links that turn it: those behind
-/// the next link that follows one.
+/// A link of the robot that follows a joint of the figure, and the links that rotate it: those
+/// after the nearest ancestor that also follows a joint.
 struct Follower {
   std::size_t link = 0;
   std::size_t source = 0;
   std::size_t base = 0;               ///< the link that the path starts at
-  std::vector<std::size_t> path;      ///< from behind the base to the link itself
-  std::vector<std::size_t> turning;   ///< of the path, those that turn: at most three
-  Quat path_rest = Quat::Identity();  ///< the path where the turning links' angles are 0, the
-                                      ///< others' as they rest
-  std::vector<Vec3> axes;       ///< of the turning links, as the last one's frame has them at rest
-  double largest_residual = 0;  ///< radians that remain undone
+  std::vector<std::size_t> path;      ///< from after the base to the link itself
+  std::vector<std::size_t> turning;   ///< the links of the path that turn: at most three
+  Quat path_rest = Quat::Identity();  ///< the rotation of the path with angles 0 for turning links,
+                                      ///< rest values for others
+  std::vector<Vec3> axes;             ///< of the turning links, in the last one's frame at rest
+  double largest_residual = 0;        ///< in radians
   std::size_t largest_frame = 0;
 };
 
@@ -57,7 +57,7 @@ bool turns(const Joint& joint) {
   return !joint.dofs.empty() && joint.dofs[0].kind == DofKind::Rotation;
 }
 
-/// Whether a third axis stands at right angles to two others, up to rounding.
+/// Whether a third axis is perpendicular to two others, up to rounding.
 bool is_across(const Vec3& a, const Vec3& b) { return std::abs(a.dot(b)) < 1e-6; }
 
 /// \param leaders  of the robot's columns
@@ -72,12 +72,12 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
     is_settled[j] = true;
     const Quat& rest = robot.joints[j].rest_rotation;
     for (Vec3& axis : follower.axes) axis = rest.conjugate() * axis;
-    // A joint that follows another turns as that one does.
+    // The other joint determines the angle of a joint that follows it.
     if (!turns(robot.joints[j]) || leaders[robot.joints[j].dofs[0].coordinate] != j) continue;
     follower.turning.push_back(j);
     follower.axes.push_back(robot.joints[j].dofs[0].axis);
   }
-  // The last ones do what they can; more than three, or oblique ones, are left at rest.
+  // The last joints are used; more than three, or oblique ones, stay at rest.
   const auto drop_first = [&] {
     follower.turning.erase(follower.turning.begin());
     follower.axes.erase(follower.axes.begin());
@@ -98,14 +98,14 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
   return follower;
 }
 
-/// The angles of the turning links that bring a rotation about, nearest to others.
+/// The angles of the turning links for a rotation, nearest to given angles.
 std::vector<double> angles_of(const Follower& follower, const Quat& turn,
                               const std::vector<double>& near) {
   const auto& axes = follower.axes;
   if (axes.empty()) return {};
   if (axes.size() == 1) return {angle_about(turn, axes[0], near[0])};
   const bool has_three = axes.size() == 3;
-  // Two of them: as if there were a third across both, whose turn stays undone.
+  // Two links: as with a third axis perpendicular to both, whose rotation is the residual.
   const EulerAxes euler = {axes[0], axes[1], has_three ? axes[2] : Vec3(axes[0].cross(axes[1]))};
   const Vec3 angles =
       euler_angles(turn.toRotationMatrix(), euler, Vec3(near[0], near[1], has_three ? near[2] : 0));
@@ -113,7 +113,7 @@ std::vector<double> angles_of(const Follower& follower, const Quat& turn,
   return found;
 }
 
-/// Finds how the links of a path stand in the world by their angles in a row.
+/// Computes the world rotations of the links of a path from their angles in a row.
 void turn_path(const Follower& follower, const Skeleton& robot, std::span<const double> row,
                std::vector<Quat>& world) {
   for (const std::size_t j : follower.path) {
@@ -125,15 +125,15 @@ void turn_path(const Follower& follower, const Skeleton& robot, std::span<const 
   }
 }
 
-void tell(const std::vector<Follower>& followers, const Motion& motion, const Skeleton& robot,
-          Diagnostics& diagnostics) {
+void report_residuals(const std::vector<Follower>& followers, const Motion& motion,
+                      const Skeleton& robot, Diagnostics& diagnostics) {
   const std::vector<std::size_t> leaders = leaders_of_columns(robot);
   std::vector<std::string> still;
   std::vector<bool> is_used(robot.joints.size(), false);
   for (const Follower& follower : followers) {
     for (const std::size_t j : follower.turning) is_used[j] = true;
     const double degrees = follower.largest_residual / kRadiansPerDegree;
-    if (degrees < kToldDegrees) continue;
+    if (degrees < kReportedDegrees) continue;
     diagnostics.add(
         Severity::Warning, "BRG015",
         fmt::format("link '{}' cannot turn as '{}' does: up to {:.3g} degrees are left "
@@ -198,7 +198,8 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
         forward_kinematics(motion.skeleton, motion.clip,
                            {.first_frame = first, .num_frames = block, .rotations = true});
     for (std::size_t r = 0; r < poses.num_frames; ++r) {
-      // Where a link points that turns from its rest pose as the figure's joint does from its own.
+      // The world rotation of a link that has the same rotation relative to its rest pose as the
+      // figure's joint.
       const auto wanted = [&](std::size_t link, std::size_t source) -> Quat {
         return rotation_at(poses, r, source) * rotation_at(rest, 0, source).conjugate() *
                rotation_at(robot_poses, 0, link);
@@ -223,7 +224,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
         turn_path(follower, robot, row, world);
       }
       for (Follower& follower : followers) {
-        turn_path(follower, robot, row, world);  // those that follow others know them by now
+        turn_path(follower, robot, row, world);  // including joints that follow others
         const double residual =
             angle_between(world[follower.link], wanted(follower.link, follower.source));
         if (residual > follower.largest_residual) {
@@ -234,7 +235,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
       moved.clip.values.append(row);
     }
   }
-  tell(followers, motion, robot, diagnostics);
+  report_residuals(followers, motion, robot, diagnostics);
   return project(moved, BodyForm::Joints, nullptr, diagnostics);
 }
 

@@ -17,13 +17,13 @@ void warn(Diagnostics& diagnostics, std::string message) {
   diagnostics.add(Severity::Warning, "BRG014", std::move(message));
 }
 
-/// What a body motion says of a robot.
+/// The components of a body motion that move a robot.
 struct Recorded {
   const Component* links = nullptr;
   const Component* joints = nullptr;
 };
 
-/// Lets the root turn by roll, pitch and yaw, so that their values stay.
+/// Gives the root rotations by roll, pitch and yaw, so that their values stay the same.
 void give_root_angles(Skeleton& skeleton) {
   Component one;
   one.kind = ComponentKind::Poses;
@@ -69,18 +69,18 @@ Result<std::size_t> settle_frames(const Recorded& recorded, bool lenient,
   return main.num_frames;
 }
 
-void tell_counts(const Recorded& recorded, const Skeleton& skeleton, Diagnostics& diagnostics) {
-  const auto tell = [&](std::size_t found, std::size_t wanted, std::string_view what) {
+void report_counts(const Recorded& recorded, const Skeleton& skeleton, Diagnostics& diagnostics) {
+  const auto report = [&](std::size_t found, std::size_t wanted, std::string_view what) {
     if (found == wanted) return;
     warn(diagnostics,
          fmt::format("the model has {} {}, the motion {}; {}", wanted, what, found,
                      found > wanted ? "the last ones are left out" : "the others stay at rest"));
   };
   const std::size_t num_joints = skeleton.coordinates.size() - kRootColumns;
-  if (recorded.joints != nullptr) tell(recorded.joints->num_parts, num_joints, "joints");
+  if (recorded.joints != nullptr) report(recorded.joints->num_parts, num_joints, "joints");
   const bool has_all_links = recorded.links != nullptr && recorded.links->num_parts > 1;
   if (has_all_links && recorded.links->num_parts > skeleton.joints.size()) {
-    tell(recorded.links->num_parts, skeleton.joints.size(), "links");
+    report(recorded.links->num_parts, skeleton.joints.size(), "links");
   }
 }
 
@@ -117,7 +117,7 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
   }
   const auto num_frames = settle_frames(recorded, lenient, diagnostics);
   if (!num_frames) return fail(num_frames.error());
-  tell_counts(recorded, skeleton, diagnostics);
+  report_counts(recorded, skeleton, diagnostics);
 
   Motion posed{skeleton, {}};
   const bool is_rpy =
@@ -151,7 +151,7 @@ Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool len
       recorded.links != nullptr && recorded.links->num_parts >= skeleton.joints.size();
   const bool are_found = recorded.joints == nullptr && has_all_links;
   if (are_found) find_joints(*recorded.links, posed);
-  if (!are_found) {  // what was not recorded
+  if (!are_found) {  // if joint values were not recorded
     const std::size_t num_joints = recorded.joints == nullptr ? 0 : recorded.joints->num_parts;
     fill_following_columns(posed, num_root + num_joints);
   }

@@ -28,7 +28,7 @@ double metres_per_unit(const Skeleton& skeleton) {
   return skeleton.metres_per_unit > 0 ? skeleton.metres_per_unit : 1.0;
 }
 
-/// What makes metres and radians of a robot's columns; shape (columns).
+/// The factors that convert a robot's columns to metres and radians; shape (columns).
 std::vector<double> factors_of_columns(const Skeleton& skeleton) {
   std::vector<double> factors(skeleton.coordinates.size(), 1.0);
   for (const Joint& joint : skeleton.joints) {
@@ -65,7 +65,7 @@ Component links_of(const Motion& motion) {
   return links;
 }
 
-/// The columns from one to another as a component, in metres and radians.
+/// A range of columns as a component, in metres and radians.
 Component columns_of(const Motion& motion, std::size_t begin, std::size_t end,
                      Component component) {
   const std::vector<double> factors = factors_of_columns(motion.skeleton);

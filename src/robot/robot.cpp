@@ -28,8 +28,8 @@ Quat rotation_of(const Component& links, std::span<const double> pose) {
 namespace {
 
 /// Finds the displacements of one joint.
-/// \param follows  the joint follows another, whose column is found: the turn is the nearest to
-/// that
+/// \param follows  the joint follows another, whose column is known: its angle is the nearest to
+///                 that
 void find_joint(const Component& links, std::size_t j, std::size_t column, bool follows,
                 const Skeleton& skeleton, const Rows& rows, std::size_t num_frames) {
   const Joint& joint = skeleton.joints[j];
@@ -60,7 +60,7 @@ void find_joint(const Component& links, std::size_t j, std::size_t column, bool 
 void find_joints(const Component& links, Motion& posed) {
   const auto columns = value_columns(posed.skeleton);
   const Rows rows = posed.clip.mutate();
-  for (const bool follows : {false, true}) {  // first what others follow
+  for (const bool follows : {false, true}) {  // first the joints that others follow
     for (std::size_t j = 1; j < posed.skeleton.joints.size(); ++j) {
       const auto& dofs = posed.skeleton.joints[j].dofs;
       if (dofs.empty() || (*columns[j] != dofs[0].coordinate) != follows) continue;
@@ -71,7 +71,7 @@ void find_joints(const Component& links, Motion& posed) {
 
 namespace {
 
-/// How far a joint goes from where it follows to.
+/// The largest deviation of a recorded joint from the value that it has by following another.
 struct Deviation {
   double largest = 0;
   std::size_t frame = 0;

@@ -11,7 +11,7 @@
 namespace kinefile::rotation {
 namespace {
 
-/// The components of quaternions, which lie apart.
+/// The components of quaternions, in separate arrays.
 struct Pointers {
   explicit Pointers(simd::Quaternions& q)
       : w(q[0].data()), x(q[1].data()), y(q[2].data()), z(q[3].data()) {}
@@ -39,8 +39,8 @@ void multiply(const Vec3& axis, const std::vector<double>& sines,
   }
 }
 
-/// Brings true rotations to the kernel's form (see `simd::EulerForm`): the basis of the axes and,
-/// for three different axes, a quarter turn back about the second, up to length.
+/// Converts rotations to the kernel's form (see `simd::EulerForm`): the basis of the axes and, for
+/// three different axes, a quarter turn back about the second; not normalised.
 void to_kernel(const Mat3& kernel_from_joint, bool has_quarter_turn, simd::Quaternions& q) {
   turn_axes(kernel_from_joint, q);
   if (!has_quarter_turn) return;

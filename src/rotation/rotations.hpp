@@ -13,10 +13,10 @@
 
 namespace kinefile::rotation {
 
-/// Three axes (see `euler_angles`) as the kernel must know them.
+/// Three axes (see `euler_angles`) in the form that the kernel needs.
 simd::EulerForm euler_form(const EulerAxes& axes, bool is_in_degrees);
 
-/// Sets the number of vectors; what was behind the last one means nothing.
+/// Sets the number of vectors; the padding is unspecified.
 template <std::size_t kSize>
 void resize(simd::Components<kSize>& components, std::size_t count) {
   for (auto& component : components) component.resize(simd::padded(count));
@@ -25,31 +25,32 @@ void resize(simd::Components<kSize>& components, std::size_t count) {
 Quat quaternion_at(const simd::Quaternions& quaternions, std::size_t i);
 void put_quaternion(const Quat& value, std::size_t i, simd::Quaternions& quaternions);
 
-/// Angles about some axes, one array an axis, all padded (see `simd::padded`).
+/// Angles about some axes, one array per axis, all padded (see `simd::padded`).
 using AngleColumns = std::vector<std::vector<double>>;
 
 /// The products of rotations about any axes.
 /// \param axes    unit vectors, outermost first
 /// \param angles  one array an axis
-/// \param count   how many rotations; what counts where there are no axes
-/// \param out     out: unit quaternions of one of their two signs
+/// \param count   how many rotations; needed if there are no axes
+/// \param out     out: unit quaternions of either sign
 void products_of_rotations(std::span<const Vec3> axes, const AngleColumns& angles,
                            std::size_t count, bool is_in_degrees, simd::Quaternions& out);
 
-/// Turns the axes of rotations: those of the same angles about the axes seen through a matrix.
-/// \param turn  a rotation, or the opposite of a reflection
+/// Rotates the axes of rotations: the results have the same angles about axes transformed by a
+/// matrix.
+/// \param turn  a rotation, or the negative of a reflection
 void turn_axes(const Mat3& turn, simd::Quaternions& quaternions);
 
 /// Finds the angles of rotations about three axes, for many rotations in a row.
 class AngleFinder {
  public:
-  /// \param start  what the first angles are to be near, in the unit of the angles; 0 if not finite
+  /// \param start  the first angles shall be near these, in the unit of the angles; 0 if not finite
   AngleFinder(const EulerAxes& axes, bool is_in_degrees, const Vec3& start);
 
-  /// The angles of the next rotations: of all triples that give one, the nearest to the triple
-  /// before it; NaN for a quaternion that is not finite, which no other triple is near to. In
-  /// gimbal lock the first angle keeps its value, as in `euler_angles`.
-  /// \param rotations  unit quaternions; in: the rotations; out: without meaning
+  /// The angles of the next rotations: of all triples for a rotation, the nearest to the previous
+  /// triple; NaN for a quaternion that is not finite, which the next triple ignores. In gimbal lock
+  /// the first angle keeps its value, as in `euler_angles`.
+  /// \param rotations  unit quaternions; in: the rotations; out: unspecified
   void find(simd::Quaternions& rotations, std::size_t count, simd::Angles& angles);
 
  private:

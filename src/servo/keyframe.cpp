@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A trajectory as a flow of poses: what words it needs at every tick, which ticks become poses
-// (keyframe_search.cpp), and how far the flow is from it as it runs.
+// Converts a trajectory to a flow of poses: the words at every tick, the ticks of poses
+// (keyframe_search.cpp), and the error of the running flow.
 
 #include <fmt/format.h>
 
@@ -14,14 +14,14 @@
 namespace kinefile::servo {
 namespace {
 
-/// Of a frame, within which a tick is taken for the frame itself.
+/// In frames: a tick this close to a frame counts as the frame.
 constexpr double kFrameMargin = 1e-6;
 
 Error usage(std::string message) {
   return make_error(ErrorKind::Usage, "KEY001", std::move(message));
 }
 
-/// What a trajectory's joints are in the map, and the trajectory in words.
+/// The map's entries for a trajectory's joints, and the trajectory in words.
 struct Task {
   std::vector<const ServoMapEntry*> entries;  ///< by joint of the trajectory
   WordTrack track;
@@ -46,7 +46,7 @@ Result<void> check_options(const KeyframeOptions& options, const ServoMap& map) 
                                 most, header_word(options.format), map.num_sliders)));
 }
 
-/// The words that an entry can have: the lowest, the highest, in steps.
+/// The words that an entry can have: the lowest, the highest, on its steps.
 struct Grid {
   int lowest, highest, step;
 
@@ -60,7 +60,7 @@ struct Grid {
         std::clamp(word, static_cast<double>(lowest), static_cast<double>(highest));
     return static_cast<std::int16_t>(lowest + step * std::lround((limited - lowest) / step));
   }
-  /// How far a word is beyond what rounding accounts for.
+  /// The excess of a word over its limits, except for rounding.
   double excess(double word) const {
     const double beyond = std::max(lowest - word, word - highest);
     return beyond > step * 0.5 ? beyond : 0;
@@ -94,7 +94,7 @@ Result<std::vector<const ServoMapEntry*>> entries_of(const JointTrajectory& traj
   return entries;
 }
 
-/// The angle of a joint at a tick: on a line between frames, the last one at the end.
+/// The angle of a joint at a tick: linear between frames, that of the last frame at the end.
 double angle_at(const JointTrajectory& trajectory, std::size_t joint, double frame) {
   const double whole = std::round(frame);
   if (std::abs(frame - whole) <= kFrameMargin) frame = whole;
@@ -106,7 +106,7 @@ double angle_at(const JointTrajectory& trajectory, std::size_t joint, double fra
   return from + (trajectory.angles[(before + 1) * num_joints + joint] - from) * share;
 }
 
-void tell_limits(const Task& task, Diagnostics& diagnostics, const JointTrajectory& trajectory) {
+void report_limits(const Task& task, Diagnostics& diagnostics, const JointTrajectory& trajectory) {
   const WordTrack& track = task.track;
   for (std::size_t j = 0; j < track.num_joints; ++j) {
     const Grid grid(*task.entries[j]);
@@ -164,12 +164,12 @@ Result<Task> task_of(const JointTrajectory& trajectory, const ServoMap& map) {
   return task;
 }
 
-/// How far a flow is from the trajectory, as `flow::run` runs it.
+/// The errors of a flow relative to the trajectory, as `flow::run` runs it.
 Result<std::vector<KeyframeError>> errors_of(const PoseFlow& flow,
                                              const JointTrajectory& trajectory, const Task& task,
                                              const KeyframeOptions& options) {
   flow::RunOptions run_options;
-  run_options.jumps.assign(flow.num_sliders, false);  // a servo's sliders do not
+  run_options.jumps.assign(flow.num_sliders, false);  // sliders of servos do not jump
   run_options.max_ticks += kMaxTicks;                 // the lead-in
   Diagnostics none;
   const auto run = flow::run(flow, run_options, none);
@@ -206,7 +206,7 @@ PoseBlock pose_at(const Task& task, std::size_t tick, int ticks, std::size_t num
   return pose;
 }
 
-/// Poses one after the other, as WORD_N has them.
+/// Poses in sequence, as in WORD_N.
 PoseFlow flow_of(const Task& task, const KeyTicks& keys, const ServoMap& map,
                  const KeyframeOptions& options) {
   PoseFlow flow;
@@ -233,8 +233,8 @@ Result<Keyframes> keyframes_of(const JointTrajectory& trajectory, const Task& ta
   return Keyframes{std::move(*flow), keys.ticks, std::move(*errors)};
 }
 
-/// A trajectory without what limits cut off, which no poses can give: one joint that is far beyond
-/// its limits would else make it all the same how near the others are.
+/// A trajectory clipped to the limits, because no poses can exceed them. Otherwise one joint far
+/// beyond its limits would hide the errors of all others.
 WordTrack within_limits(const Task& task) {
   WordTrack track = task.track;
   for (std::size_t i = 0; i < track.targets.size(); ++i) {
@@ -245,7 +245,7 @@ WordTrack within_limits(const Task& task) {
   return track;
 }
 
-/// Why no poses keep to a tolerance: where even the closest ones do not.
+/// The error if no poses meet a tolerance: the place where even the closest ones exceed it.
 Error out_of_tolerance(const JointTrajectory& trajectory, const Task& task, const ServoMap& map,
                        const KeyframeOptions& options) {
   const KeyTicks keys = closest_poses(task.track, task.track.last_tick + 1);
@@ -269,7 +269,7 @@ Result<Keyframes> keyframe(const JointTrajectory& trajectory, const ServoMap& ma
   if (auto checked = check_options(options, map); !checked) return fail(checked.error());
   const auto task = task_of(trajectory, map);
   if (!task) return fail(task.error());
-  tell_limits(*task, diagnostics, trajectory);
+  report_limits(*task, diagnostics, trajectory);
   if (options.tolerance) {
     const auto keys = fewest_poses(task->track, *options.tolerance);
     if (!keys) return fail(out_of_tolerance(trajectory, *task, map, options));

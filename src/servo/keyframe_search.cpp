@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which ticks poses stand at: dynamic programming over all that they could.
+// Finds the ticks of poses by dynamic programming over all possible ticks.
 //
-// A path goes from tick 0 to the last one in segments of 1 to kMaxTicks ticks. For every tick it is
-// found with how few poses a path within the tolerance comes there, in the order of ticks: from the
-// ticks before it that were reached with the fewest poses, then from those with one more, until a
-// segment from one of them keeps to the tolerance. That a segment fails says nothing of longer or
-// shorter ones (words are rounded, trajectories bend), so all are tried; but nearly all of those
-// that fail do so at the same tick and joint as the one before, which is looked at first.
+// A path goes from tick 0 to the last one in segments of 1 to kMaxTicks ticks. For every tick, in
+// order, the search finds the fewest poses of a path within the tolerance that ends there. It tries
+// the earlier ticks that were reached with the fewest poses, then those with one more, until a
+// segment from one of them meets the tolerance. A failing segment does not imply that longer or
+// shorter ones fail (words are rounded, trajectories bend), so all are tried. But nearly all
+// failing segments fail at the same tick and joint as the previous one, so that place is checked
+// first.
 
 #include "servo/keyframe_search.hpp"
 
@@ -22,13 +23,13 @@ namespace kinefile::servo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Of a tick, what the rounding of times may take from it.
+/// In ticks: the tolerance for rounding of times.
 constexpr double kTickMargin = 1e-6;
 constexpr std::size_t kLongest = kMaxTicks;
-/// After how many ticks it is seen whether a segment has failed.
+/// How many ticks are computed between checks whether a segment has failed.
 constexpr std::size_t kTicksAtOnce = 8;
 
-/// Where a segment was too far from the trajectory.
+/// The place where a segment was too far from the trajectory.
 struct Failure {
   std::size_t tick = 0;
   std::size_t joint = 0;
@@ -45,8 +46,8 @@ class SegmentErrors {
         largest_(track.num_joints),
         failures_(track.last_tick + 1) {}
 
-  /// The error of a segment; where it is above the bound, some number above the bound that is not
-  /// above the error.
+  /// The error of a segment; if it is above the bound, a lower limit of the error that is above the
+  /// bound.
   double operator()(std::size_t from, std::size_t to, double bound) {
     Failure& failure = failures_[from];
     if (failure.tick > from && failure.tick <= to) {
@@ -80,8 +81,8 @@ class SegmentErrors {
     std::fill(largest_.begin(), largest_.end(), 0.0);
   }
 
-  /// `played_word` for all joints, in a form that becomes vector instructions: with the half, the
-  /// quotient is far enough from whole numbers that its rounding changes nothing.
+  /// `played_word` for all joints, in a form that the compiler can vectorise: with the added half,
+  /// the quotient is far enough from whole numbers that rounding does not change the result.
   void add_tick(std::size_t first, std::size_t k, std::size_t length) {
     const double* target = track_.targets.data() + (first + k) * track_.num_joints;
     const double* degrees = track_.degrees_each.data();
@@ -107,22 +108,24 @@ class SegmentErrors {
   }
 
   const WordTrack& track_;
-  std::vector<double> from_, ways_, halves_, largest_;  ///< by joint, of the segment at hand
-  std::vector<Failure> failures_;                       ///< the last one, by a segment's first tick
+  std::vector<double> from_, ways_, halves_, largest_;  ///< by joint, for the current segment
+  std::vector<Failure> failures_;                       ///< the last failure, by a segment's first
+                                                        ///< tick
 };
 
 /// How a tick is reached.
 struct Reached {
-  std::uint32_t num_poses = 0;  ///< 0: it is not
-  std::uint32_t before = 0;     ///< the tick of the pose before
-  double largest_error = 0;     ///< on the way there
+  std::uint32_t num_poses = 0;  ///< 0: not reached
+  std::uint32_t before = 0;     ///< the tick of the previous pose
+  double largest_error = 0;     ///< of the path to the tick
 };
 
-/// What is wanted of a path.
+/// The requirements on a path.
 struct Wanted {
   double tolerance = kInfinity;
   std::size_t most_poses = std::numeric_limits<std::uint32_t>::max();
-  bool is_closest = false;  ///< of those with the fewest poses the one with the least error
+  bool is_closest = false;  ///< of the paths with the fewest poses, find the one with the smallest
+                            ///< error
 };
 
 /// One run of the search.
@@ -141,14 +144,14 @@ class Search {
     return path();
   }
 
-  /// With any tolerance below this, the search goes as it did.
+  /// The search gives the same result with every tolerance below this one.
   double next_tolerance() const { return next_tolerance_; }
 
  private:
   /// The ticks that were reached with one number of poses, in order.
   struct Level {
     std::vector<std::uint32_t> ticks;
-    std::size_t first = 0;  ///< the first one that is near enough
+    std::size_t first = 0;  ///< the first tick that is not too early
   };
 
   void put(std::size_t tick, const Reached& reached) {
@@ -175,7 +178,7 @@ class Search {
     }
   }
 
-  /// Leaves out ticks that are too early; returns whether none is left.
+  /// Skips ticks that are too early; returns whether none remains.
   static bool drop_before(Level& level, std::size_t earliest) {
     while (level.first < level.ticks.size() && level.ticks[level.first] < earliest) ++level.first;
     return level.first == level.ticks.size();
@@ -215,7 +218,7 @@ class Search {
   Wanted wanted_;
   std::vector<Reached> reached_;  ///< by tick
   std::vector<Level> levels_;     ///< by number of poses
-  std::size_t lowest_level_ = 0;  ///< the first one that has ticks which are near enough
+  std::size_t lowest_level_ = 0;  ///< the first level with ticks that are not too early
   double next_tolerance_ = kInfinity;
 };
 

@@ -11,11 +11,11 @@
 
 namespace kinefile::servo {
 
-/// An hour at 60 ticks a second, which is as long as `flow::run` runs by default.
+/// One hour at 60 ticks per second, the default limit of `flow::run`.
 inline constexpr std::size_t kMostTicks = 216'000;
 
-/// How many ticks a time takes: to the first one at or after its end.
-/// \errors KEY001 (Usage) if there are more than `kMostTicks`; KEY004 for a time that is none
+/// The number of ticks of a time, rounded up.
+/// \errors KEY001 (Usage) if there are more than `kMostTicks`; KEY004 for a negative time or NaN
 Result<std::size_t> num_ticks_of(double seconds, double tick_seconds);
 
 /// A trajectory at ticks, in words.
@@ -24,7 +24,7 @@ struct WordTrack {
   std::size_t last_tick = 0;
   std::vector<double> targets;       ///< [tick][joint], neither rounded nor limited
   std::vector<std::int16_t> words;   ///< [tick][joint], what a pose at that tick has
-  std::vector<double> degrees_each;  ///< by joint: degrees in one unit of a word
+  std::vector<double> degrees_each;  ///< by joint: degrees degrees per unit of a word
 };
 
 /// Ticks of poses, the first 0 and the last `last_tick`, 1 to `kMaxTicks` apart.
@@ -33,7 +33,7 @@ struct KeyTicks {
   double largest_error = 0;  ///< degrees
 };
 
-/// The playback of a word on its way, as `flow::run` goes: from + trunc((to - from) k / n).
+/// The word at a tick between two poses, as in `flow::run`: from + trunc((to - from) k / n).
 constexpr std::int32_t played_word(std::int32_t from, std::int32_t to, std::int32_t k,
                                    std::int32_t n) {
   return from + (to - from) * k / n;
@@ -43,18 +43,18 @@ constexpr std::int32_t played_word(std::int32_t from, std::int32_t to, std::int3
 /// the trajectory, at all ticks after the first.
 double segment_error(const WordTrack& track, std::size_t from, std::size_t to);
 
-/// The same of a pose alone, at its tick.
+/// The same for a single pose, at its tick.
 double pose_error(const WordTrack& track, std::size_t tick);
 
-/// The fewest poses whose playback stays within a tolerance, and of these the ones with the least
-/// largest error; nothing if there are none.
+/// The fewest poses whose playback stays within a tolerance, and of these the ones with the
+/// smallest maximum error; nothing if there are none.
 std::optional<KeyTicks> fewest_poses(const WordTrack& track, double tolerance);
 
-/// At most so many poses with the least largest error, and the fewest of these.
-/// Precondition: there can be so few (`least_poses`).
+/// At most `num_poses` poses with the smallest maximum error, and of these the fewest.
+/// Precondition: `num_poses` is at least `least_poses`.
 KeyTicks closest_poses(const WordTrack& track, std::size_t num_poses);
 
-/// How many poses it takes at least, since none takes longer than `kMaxTicks`.
+/// The minimum number of poses, because a pose takes at most `kMaxTicks`.
 std::size_t least_poses(const WordTrack& track);
 
 }  // namespace kinefile::servo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a robot did, as angles of joints, and angles of joints as a servo map names them.
+// Converts a run to joint angles, and finds the joint angles that a servo map names.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ std::optional<AngleColumn> find_angle(const Skeleton& skeleton, const std::strin
 
 namespace {
 
-/// A joint of a map and where its angle stands in a row.
+/// A joint of a map and the column of its angle in a row.
 struct MappedAngle {
   std::size_t entry = 0;
   AngleColumn angle = {};
@@ -53,7 +53,7 @@ Error no_joints(const std::vector<std::string>& missing, std::string_view where)
                   listed(missing), where));
 }
 
-/// The joints of a map that a row has; the others are told.
+/// The joints of a map that a row has; a diagnostic reports the others.
 template <class Find>
 Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& find,
                                                std::string_view where, Diagnostics& diagnostics) {
@@ -77,15 +77,15 @@ Result<std::vector<MappedAngle>> mapped_angles(const ServoMap& map, const Find& 
   return angles;
 }
 
-/// Where the angles of a skeleton's joints stand in its clip's rows.
+/// The columns of the angles of a skeleton's joints in its clip's rows.
 Result<std::vector<MappedAngle>> angles_in(const Skeleton& skeleton, const ServoMap& map,
                                            std::string_view where, Diagnostics& diagnostics) {
   const auto find = [&](std::size_t e) { return find_angle(skeleton, map.entries[e].joint); };
   return mapped_angles(map, find, where, diagnostics);
 }
 
-/// Where joints stand among displacements: by a robot's columns behind its root's, by the names of
-/// parts, or in the order of the map.
+/// The columns of joints in joint displacements: by a robot's columns after its root's, by the
+/// names of parts, or in the order of the map.
 Result<std::vector<MappedAngle>> displaced(const ServoMap& map, const Skeleton* robot,
                                            std::size_t num_parts,
                                            const std::vector<std::string>& names,
@@ -114,7 +114,7 @@ Result<void> expect_robot(const Skeleton* robot) {
                          "joints move in one way each"));
 }
 
-/// The angle of a joint at a tick; of a slider that the flow does not have, in the base pose.
+/// The angle of a joint at a tick; for a slider that the flow does not have, that of the base pose.
 double angle_at(const flow::Run& run, std::size_t tick, const ServoMap& map,
                 const ServoMapEntry& entry) {
   if (entry.slider >= run.num_sliders) {
@@ -128,7 +128,7 @@ Timeline timeline_of(const ServoMap& map) {
   return {FrameRate{map.tick_seconds == 1.0 / 60 ? 60 : 1 / map.tick_seconds}, 0};
 }
 
-/// The rows of a run: a row at rest, with the joints' angles put in.
+/// The rows of a run: copies of a rest row, with the joints' angles written into them.
 Array<double> rows_of(const flow::Run& run, const ServoMap& map, const std::vector<double>& rest,
                       const std::vector<MappedAngle>& angles) {
   Array<double> values;
@@ -144,7 +144,8 @@ Array<double> rows_of(const flow::Run& run, const ServoMap& map, const std::vect
   return values;
 }
 
-/// Lets joints follow others in rows of a robot's displacements, but those that have a servo.
+/// Computes the joints that follow others in rows of a robot's displacements, except those that
+/// have a servo.
 void fill_following(const Skeleton& robot, const std::vector<MappedAngle>& angles,
                     Component& component) {
   const Rows rows = component.mutate();
@@ -161,9 +162,9 @@ void fill_following(const Skeleton& robot, const std::vector<MappedAngle>& angle
   }
 }
 
-/// Tells of sliders that the flow does not have.
-void tell_missing_sliders(const flow::Run& run, const ServoMap& map,
-                          const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
+/// Reports sliders that the flow does not have.
+void report_missing_sliders(const flow::Run& run, const ServoMap& map,
+                            const std::vector<MappedAngle>& angles, Diagnostics& diagnostics) {
   std::vector<std::string> missing;
   for (const MappedAngle& angle : angles) {
     const ServoMapEntry& entry = map.entries[angle.entry];
@@ -176,7 +177,7 @@ void tell_missing_sliders(const flow::Run& run, const ServoMap& map,
                               run.num_sliders, listed(missing)));
 }
 
-/// Rows of numbers over time, of which a trajectory takes some columns.
+/// Rows of numbers over time, from which a trajectory reads some columns.
 struct RecordedRows {
   std::span<const double> values;
   std::size_t num_frames;
@@ -230,7 +231,7 @@ Result<BodyMotion> unroll(const flow::Run& run, const ServoMap& map, const Skele
   }
   const auto angles = displaced(map, robot, rest.size(), {}, diagnostics);
   if (!angles) return fail(angles.error());
-  tell_missing_sliders(run, map, *angles, diagnostics);
+  report_missing_sliders(run, map, *angles, diagnostics);
   BodyMotion motion;
   Component& component = motion.components.emplace_back();
   component.kind = ComponentKind::Values;
@@ -250,7 +251,7 @@ Result<Motion> motion_of_run(const flow::Run& run, const ServoMap& map, const Sk
                              Diagnostics& diagnostics) {
   const auto angles = angles_in(skeleton, map, "skeleton", diagnostics);
   if (!angles) return fail(angles.error());
-  tell_missing_sliders(run, map, *angles, diagnostics);
+  report_missing_sliders(run, map, *angles, diagnostics);
   Motion motion{skeleton, {}};
   motion.clip.num_frames = run.num_ticks + 1;
   motion.clip.num_coordinates = skeleton.coordinates.size();

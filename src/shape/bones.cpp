@@ -19,7 +19,7 @@ Error not_bones(const std::string& message) {
   return make_error(ErrorKind::DataLoss, "BRG003", message);
 }
 
-/// What becomes of the values of one column.
+/// How the values of one column change.
 struct NewColumn {
   std::size_t old_column = 0;
   double minus = 0;
@@ -31,21 +31,23 @@ struct Builder {
   Motion result = {};
   std::vector<NewColumn> columns = {};
   std::set<std::string> names = {"root"};               ///< in lower case
-  std::set<std::string> names_of_joints = {};           ///< that no helper may have, in lower case
-  std::map<std::string, std::size_t> last_number = {};  ///< that made a name unique
-  std::vector<std::size_t> new_of_old = {};             ///< the joint that an old one became
-  std::vector<std::string> added = {};                  ///< helper bones that lead somewhere
+  std::set<std::string> names_of_joints = {};           ///< in lower case; helpers must not have
+                                                        ///< these
+  std::map<std::string, std::size_t> last_number = {};  ///< the number that made a name unique
+  std::vector<std::size_t> new_of_old = {};             ///< the new index of an old joint
+  std::vector<std::string> added = {};                  ///< helper bones with a length
   std::vector<std::string> renamed = {};
-  std::vector<std::string> with_positions = {};     ///< joints other than roots that move so
-  std::vector<std::string> without_positions = {};  ///< and those that could, but never do
-  std::vector<std::string> with_rest_values = {};   ///< joints that rest at other values than 0
+  std::vector<std::string> with_positions = {};     ///< joints other than roots with translations
+  std::vector<std::string> without_positions = {};  ///< and those whose translations never change
+  std::vector<std::string> with_rest_values = {};   ///< joints with rest values other than 0
 
   std::vector<Joint>& joints() { return result.skeleton.joints; }
 };
 
 std::string unique_name(Builder& builder, const std::string& wanted) {
   std::string name = wanted;
-  std::size_t& number = builder.last_number[lowered(wanted)];  // so that many alike are soon named
+  std::size_t& number = builder.last_number[lowered(wanted)];  // so that many equal names are
+                                                               // numbered fast
   while (!builder.names.insert(lowered(name)).second) {
     number = std::max<std::size_t>(number, 1) + 1;
     name = fmt::format("{}_{}", wanted, number);
@@ -79,7 +81,7 @@ std::size_t add_joint(Builder& builder, std::string name, std::size_t parent, co
 
 enum class Dofs { All, OfTail, AllButTail };
 
-/// Gives a new joint degrees of freedom of an old one, which then rest at 0.
+/// Adds degrees of freedom of an old joint to a new one, with rest values of 0.
 void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root,
               Dofs which = Dofs::All) {
   const Joint& old = builder.motion.skeleton.joints[old_index];
@@ -98,7 +100,7 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
       if (rests) continue;
       column.minus = dof.rest;
     }
-    if (dof.kind == DofKind::TailScale) continue;  // it was found not to change anything
+    if (dof.kind == DofKind::TailScale) continue;  // it has no effect, as checked before
     loses_rest |= dof.rest != 0 && dof.kind != DofKind::Translation;
     dof.lower -= column.minus;
     dof.upper -= column.minus;
@@ -113,7 +115,7 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
   if (has_rested && !has_moved) builder.without_positions.push_back(old.name);
 }
 
-/// Where the children of a joint sit, if all of them sit in one place.
+/// The position of a joint's children, if all of them are at one place.
 std::optional<Vec3> common_place(const Skeleton& skeleton,
                                  const std::vector<std::size_t>& children) {
   if (children.empty()) return std::nullopt;
@@ -124,7 +126,7 @@ std::optional<Vec3> common_place(const Skeleton& skeleton,
   return is_common ? std::optional(first) : std::nullopt;
 }
 
-/// Where a bone ends: where its children sit, else in its first tip, else in its start.
+/// The end of a bone: the place of its children, otherwise its first tip, otherwise its start.
 Vec3 end_of_bone(const Joint& joint, const std::optional<Vec3>& place, bool has_children) {
   if (place) return *place;
   return has_children || joint.tips.empty() ? Vec3(Vec3::Zero()) : joint.tips.front().offset;
@@ -141,7 +143,8 @@ void add_tips(Builder& builder, const Joint& old, std::size_t holder, const Vec3
   }
 }
 
-/// The joint on which a child hangs: its parent's, or a bone that leads to where the child sits.
+/// The new parent of a child: the joint made from its parent, or a bone that leads to the child's
+/// place.
 std::size_t holder_of_child(Builder& builder, const Joint& child) {
   const std::size_t holder = builder.new_of_old[child.parent];
   const Joint& bone = builder.joints()[holder];
@@ -152,7 +155,7 @@ std::size_t holder_of_child(Builder& builder, const Joint& child) {
   return add_joint(builder, name, holder, rest_offset(child) - end);
 }
 
-/// Adds the bone that keeps the root's old name: a helper, unless it has a tail to move.
+/// Adds the bone that keeps the root's old name: a helper, unless it translates its tail.
 std::size_t add_named_bone(Builder& builder, std::size_t old_index, const Vec3& end) {
   const Joint& old = builder.motion.skeleton.joints[old_index];
   const bool has_tail = std::any_of(old.dofs.begin(), old.dofs.end(), [](const auto& dof) {
@@ -173,7 +176,7 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   const Joint& old = builder.motion.skeleton.joints[old_index];
   Joint root;
   root.name = "root";
-  // Coordinates rest at 0 from now on: where nothing moves, the offset tells the rest pose.
+  // Coordinates rest at 0 from now on: without translations, the offset gives the rest pose.
   const bool has_frames = builder.motion.clip.num_frames > 0;
   root.offset = has_frames ? old.offset : rest_offset(old);
   root.rest_rotation = old.rest_rotation;
@@ -211,7 +214,7 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   add_tips(builder, old, index, end);
 }
 
-/// What keeps a motion from being one of bones.
+/// The reason why a motion cannot have bones.
 std::optional<Error> obstacle_of(const Motion& motion) {
   std::size_t num_roots = 0;
   for (const Joint& joint : motion.skeleton.joints) {
@@ -239,14 +242,15 @@ std::optional<std::string> scaled_joint(const Motion& motion) {
   return std::nullopt;
 }
 
-/// Whether a joint below the root is turned in its rest pose, as no bone is: its axes are.
+/// Whether a joint below the root has a rest rotation. Bones have none; only their axes are
+/// rotated.
 bool is_turned_below_root(const Skeleton& skeleton) {
   return std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
     return joint.parent != kNoParent && !joint.rest_rotation.isApprox(Quat::Identity(), 0);
   });
 }
 
-/// Whether the motion is one of bones already.
+/// Whether the motion has bones already.
 bool is_of_bones(const Skeleton& skeleton) {
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const Joint& joint = skeleton.joints[j];
@@ -282,8 +286,8 @@ void fill_values(Builder& builder) {
   }
 }
 
-/// Columns that nothing reads have no place in bones.
-void tell_unread(Builder& builder) {
+/// Bones cannot keep columns that no degree of freedom reads.
+void report_unread(Builder& builder) {
   const std::vector<std::size_t> readers = num_readers_of_columns(builder.motion.skeleton);
   const std::vector<std::string> names = column_names(builder.motion.skeleton);
   for (std::size_t c = 0; c < readers.size(); ++c) {
@@ -293,7 +297,7 @@ void tell_unread(Builder& builder) {
   }
 }
 
-void tell_changes(Builder& builder) {
+void report_changes(Builder& builder) {
   const auto note = [&builder](Severity severity, const std::vector<std::string>& names,
                                std::string_view text) {
     if (names.empty()) return;
@@ -314,7 +318,7 @@ void tell_changes(Builder& builder) {
 
 namespace {
 
-/// Whether some values are not their columns' numbers, or some rotations no angles.
+/// Whether some values have a gain or a shift, or some rotations are not angles.
 bool has_other_values(const Skeleton& skeleton) {
   const bool has_any =
       std::any_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
@@ -362,8 +366,8 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
     }
   }
   fill_values(builder);
-  tell_unread(builder);
-  tell_changes(builder);
+  report_unread(builder);
+  report_changes(builder);
   return std::move(builder.result);
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// The axis of x, y, z that a degree of freedom is about or along.
 std::optional<std::size_t> axis_of(const DegreeOfFreedom& dof) { return coordinate_axis(dof.axis); }
 
-/// Whether the rotations are about axes in the sequence of an order: all of it, or a part.
+/// Whether the axes of the rotations are a subsequence of an order.
 bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOrder& order) {
   std::size_t next = 0;
   for (const DegreeOfFreedom& dof : rotations) {
@@ -38,12 +38,12 @@ struct ColumnSource {
 struct JointChange {
   std::vector<ColumnSource> columns;
   std::vector<std::string> channels;
-  std::vector<DegreeOfFreedom> dofs;  ///< their coordinates count within `columns`
+  std::vector<DegreeOfFreedom> dofs;  ///< their coordinates are indices of `columns`
   Vec3 offset = Vec3::Zero();
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
-  std::vector<Translation> old_translations;  ///< where there are new positions; the axes
-                                              ///< are the joint's own
+  std::vector<Translation> old_translations;  ///< if there are new positions; the axes are in the
+                                              ///< joint's frame
   EulerAxes axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };
 
@@ -56,7 +56,7 @@ struct Context {
   std::vector<std::size_t> num_readers = {};  ///< of every column
 };
 
-/// The one value that a column has in every frame, bit for bit, if it does not change.
+/// The value of a column, bit for bit, if it is constant.
 std::optional<double> constant_of(const Clip& clip, std::size_t column, double rest) {
   if (clip.num_frames == 0) return rest;
   const double first = clip.row(0)[column];
@@ -74,8 +74,8 @@ void add_column(JointChange& change, ColumnSource column, std::string channel,
   change.channels.push_back(std::move(channel));
 }
 
-/// A vector of the parent's frame in the frame in which a joint's translations are, and back. It
-/// keeps its bits where the joint does not rest turned.
+/// Transforms a vector from the parent's frame to the frame of a joint's translations, and back. It
+/// keeps its bits if the joint has no rest rotation.
 Vec3 in_rest_frame(const Joint& joint, const Vec3& v) {
   const bool is_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
   return is_turned ? joint.rest_rotation.conjugate() * v : v;
@@ -85,7 +85,7 @@ Vec3 from_rest_frame(const Joint& joint, const Vec3& v) {
   return is_turned ? joint.rest_rotation * v : v;
 }
 
-/// Puts what position channels do into the offset, where they do not change.
+/// Adds position channels to the offset, if they are constant.
 Result<void> drop_positions(const Context& context, const Joint& joint, JointChange& change) {
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind != DofKind::Translation) continue;
@@ -106,7 +106,7 @@ Result<void> drop_positions(const Context& context, const Joint& joint, JointCha
   return {};
 }
 
-/// Keeps the joint's position channels and adds those that it lacks.
+/// Keeps the joint's position channels and adds the missing ones.
 void complete_positions(const Context& context, const Joint& joint, JointChange& change) {
   Vec3 offset = in_rest_frame(joint, joint.offset);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -126,7 +126,7 @@ void complete_positions(const Context& context, const Joint& joint, JointChange&
   }
 }
 
-/// Whether a degree of freedom has a column of its own, and x, y or z for its axis.
+/// Whether a degree of freedom has its own column, and the axis x, y or z.
 bool is_plain(const Context& context, std::size_t joint_index, const DegreeOfFreedom& dof) {
   const bool is_own = context.num_readers[dof.coordinate] == 1 &&
                       context.motion.skeleton.coordinates[dof.coordinate].joint == joint_index;
@@ -140,7 +140,7 @@ bool are_plain(const Context& context, std::size_t joint_index, DofKind kind) {
   });
 }
 
-/// Whether a joint's translations are on top of its offset.
+/// Whether a joint's translations are added to its offset.
 bool adds_to_offset(const Joint& joint) {
   return std::any_of(joint.dofs.begin(), joint.dofs.end(), [&joint](const DegreeOfFreedom& dof) {
     return dof.kind == DofKind::Translation &&
@@ -148,8 +148,8 @@ bool adds_to_offset(const Joint& joint) {
   });
 }
 
-/// Gives a joint positions along x, y and z for those that it has along other axes, or from
-/// columns that others read, too.
+/// Gives a joint positions along x, y and z instead of those along other axes, or from shared
+/// columns.
 void replace_positions(const Context& context, const Joint& joint, JointChange& change) {
   Vec3 rest = Vec3::Zero();
   for (const DegreeOfFreedom& dof : joint.dofs) {
@@ -158,7 +158,7 @@ void replace_positions(const Context& context, const Joint& joint, JointChange& 
     rest += dof.rest * dof.axis;
   }
   if (!context.adds_positions) {
-    // What stands in the offset's place counts from where the offset counts from.
+    // Positions that replace the offset have the same origin as the offset.
     rest += in_rest_frame(joint, std::exchange(change.offset, Vec3::Zero()));
   }
   for (std::size_t k = 0; k < 3; ++k) {
@@ -169,7 +169,7 @@ void replace_positions(const Context& context, const Joint& joint, JointChange& 
   }
 }
 
-/// The angles about other axes of the rotation that a joint's degrees of freedom make at rest.
+/// The angles about new axes of the joint's rotation in the rest pose.
 Vec3 rest_angles(const std::vector<DegreeOfFreedom>& rotations, const EulerAxes& axes,
                  AngleUnit unit) {
   Mat3 rotation = Mat3::Identity();
@@ -179,7 +179,8 @@ Vec3 rest_angles(const std::vector<DegreeOfFreedom>& rotations, const EulerAxes&
   return euler_angles(rotation, axes) / radians_per(unit);
 }
 
-/// Adds three rotations: the joint's own where they are in order, else angles to be found.
+/// Adds three rotations: the joint's own if they are in order, otherwise angles that are computed
+/// later.
 void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept, AngleUnit unit,
                    JointChange& change) {
   change.old_rotations = rotations_of(joint);
@@ -197,7 +198,7 @@ void add_rotations(const Joint& joint, const RotationOrder& order, bool are_kept
     if (is_kept) column.from = ColumnSource::From::Constant;
     if (is_kept && next_old < change.old_rotations.size() &&
         axis_of(change.old_rotations[next_old]) == order[k]) {
-      dof = change.old_rotations[next_old++];  // with its rest value and its limits
+      dof = change.old_rotations[next_old++];  // keeps its rest value and its limits
       column = {ColumnSource::From::Column, dof.coordinate, 0, 0};
     }
     add_column(change, column, channel_name(DofKind::Rotation, order[k]), dof);
@@ -208,9 +209,9 @@ bool is_tail(const DegreeOfFreedom& dof) {
   return dof.kind == DofKind::TailTranslation || dof.kind == DofKind::TailScale;
 }
 
-/// Keeps columns of a joint: those that some of its degrees of freedom read, and those that nothing
-/// reads. A column of another joint that one of these reads becomes the joint's own.
-/// \param is_kept  whether a degree of freedom is one of these
+/// Keeps columns of a joint: those that its kept degrees of freedom read, and those that none
+/// reads. A column of another joint that one of these reads is copied for this joint.
+/// \param is_kept   whether a degree of freedom is one of these
 template <class IsKept>
 void keep_columns(const Context& context, std::size_t joint_index, const IsKept& is_kept,
                   JointChange& change) {
@@ -240,7 +241,7 @@ void keep_columns(const Context& context, std::size_t joint_index, const IsKept&
   }
 }
 
-/// Keeps all columns of a joint as they are.
+/// Keeps all columns of a joint unchanged.
 JointChange unchanged(const Context& context, std::size_t joint_index) {
   JointChange change;
   change.offset = context.motion.skeleton.joints[joint_index].offset;
@@ -249,7 +250,7 @@ JointChange unchanged(const Context& context, std::size_t joint_index) {
   return change;
 }
 
-/// The order that a joint turns in, if it has three rotations that are one.
+/// The rotation order of a joint, if its three rotations can represent every rotation.
 std::optional<RotationOrder> own_order(const Joint& joint) {
   const auto rotations = rotations_of(joint);
   if (rotations.size() != 3) return std::nullopt;
@@ -304,7 +305,7 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   return change;
 }
 
-/// Fills a joint's columns of some frames.
+/// Fills a joint's columns in some frames.
 /// \param angles  the joint's new angles, if it has any
 void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
                std::size_t first_column, const FrameBatch& frames, const simd::Angles& angles,
@@ -329,7 +330,7 @@ void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
 void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
                   std::size_t first_column, const Rows& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
-  // What the joint's offset gave up to its positions.
+  // The part of the joint's offset that its positions now contain.
   const Joint& joint = source.skeleton.joints[joint_index];
   const Vec3 base = in_rest_frame(joint, joint.offset - change.offset);
   rotation::AngleFinder finder(change.axes, unit == AngleUnit::Degrees, Vec3::Zero());
@@ -370,8 +371,7 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 namespace {
 
-/// Gives a motion other channels whose values are its columns' numbers and whose rotations are
-/// angles.
+/// Gives other channels to a motion without gains and shifts, whose rotations are angles.
 Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOptions& options,
                                        Diagnostics& diagnostics) {
   const Context context{

@@ -13,16 +13,17 @@
 namespace kinefile::shape {
 namespace {
 
-/// What is known of the joints of a skeleton, before any is taken out; shapes (joints).
+/// Properties of the joints of a skeleton, before any is removed; shapes (joints).
 struct Helpers {
   std::vector<bool> is_helper;
-  std::vector<bool> leads;           ///< a joint that stays hangs on it, or on helpers below it
-  std::vector<std::size_t> stays;    ///< the joint itself, or the first one above that stays
-  std::vector<Vec3> place;           ///< in the frame of that one; zero for it
+  std::vector<bool> leads;           ///< a joint that stays is a child of it, or of helpers below
+                                     ///< it
+  std::vector<std::size_t> stays;    ///< the joint itself, or its nearest ancestor that stays
+  std::vector<Vec3> place;           ///< in the frame of that joint; zero for itself
   std::optional<std::size_t> named;  ///< the helper that has the root's name
 };
 
-/// A name without the ending that it has.
+/// A name without its ending.
 std::string without_suffix(const std::string& name, std::string_view suffix) {
   return name.substr(0, name.size() - suffix.size());
 }
@@ -37,7 +38,7 @@ std::vector<bool> find_helpers(const Skeleton& skeleton) {
     is_helper.push_back(joint.parent != kNoParent && has_suffix(joint.name, kHelperSuffix) &&
                         joint.dofs.empty() && joint.rest_rotation.isApprox(Quat::Identity(), 0));
   }
-  // A column that moves nothing is kept with the joint that it belongs to.
+  // A column without effect is kept with the joint that it belongs to.
   for (const Coordinate& column : skeleton.coordinates) is_helper[column.joint] = false;
   return is_helper;
 }
@@ -58,7 +59,7 @@ std::optional<std::size_t> name_of_root(const Skeleton& skeleton,
   const bool is_named = joints.size() > 1 && is_helper[1] && joints[1].parent == 0 &&
                         joints[0].name == "root" && has_suffix(joints[1].name, kRootHelperSuffix);
   if (!is_named) return std::nullopt;
-  // Of a joint whose own name ends in _root, it is the helper that leads there.
+  // If a joint's own name ends in _root, such a name is that of the helper that leads to the joint.
   const auto is_taken = [&joints](const std::string& name) {
     return std::any_of(joints.begin(), joints.end(), [&name](const Joint& joint) {
       return lowered(joint.name) == lowered(name);
@@ -88,7 +89,7 @@ Helpers helpers_of(const Skeleton& skeleton) {
   return helpers;
 }
 
-/// Whether a tip of a joint is there for the helpers that start at it and lead to other joints.
+/// Whether a tip of a joint exists only for the helpers that start at it and lead to other joints.
 bool is_for_helpers(const Skeleton& skeleton, const Helpers& helpers, const Tip& tip,
                     const std::vector<std::size_t>& children) {
   return std::any_of(children.begin(), children.end(), [&](std::size_t child) {
@@ -97,7 +98,7 @@ bool is_for_helpers(const Skeleton& skeleton, const Helpers& helpers, const Tip&
   });
 }
 
-/// Whether a joint that stays sits at a tip of a helper.
+/// Whether a joint that stays is at a tip of a helper.
 bool is_at_joint(const Skeleton& skeleton, const Helpers& helpers, const Tip& tip,
                  const std::vector<std::size_t>& children) {
   return std::any_of(children.begin(), children.end(), [&](std::size_t child) {
@@ -105,7 +106,7 @@ bool is_at_joint(const Skeleton& skeleton, const Helpers& helpers, const Tip& ti
   });
 }
 
-/// The tips of a helper become tips of the joint that it hangs on, unless it leads to their place.
+/// The tips of a helper become tips of its parent, unless a joint is at their place.
 void hand_up_tips(const Skeleton& skeleton, const Helpers& helpers, std::size_t helper,
                   const std::vector<std::size_t>& children, Joint& holder) {
   const bool is_named = helpers.named == helper;
@@ -120,13 +121,12 @@ void hand_up_tips(const Skeleton& skeleton, const Helpers& helpers, std::size_t 
   }
 }
 
-void tell_removed(const Skeleton& skeleton, const Helpers& helpers, Diagnostics& diagnostics) {
+void report_removed(const Skeleton& skeleton, const Helpers& helpers, Diagnostics& diagnostics) {
   std::vector<std::string> names;
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (helpers.is_helper[j]) names.push_back(skeleton.joints[j].name);
   }
-  diagnostics.add(Severity::Note, "BRG005",
-                  "helper bones are taken out: " + listed(names));
+  diagnostics.add(Severity::Note, "BRG005", "helper bones are taken out: " + listed(names));
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ Motion without_helper_bones(Motion motion, Diagnostics& diagnostics) {
     skeleton.joints.push_back(std::move(joint));
   }
   for (Coordinate& column : skeleton.coordinates) column.joint = new_of_old[column.joint];
-  if (skeleton.joints.size() < old.joints.size()) tell_removed(old, helpers, diagnostics);
+  if (skeleton.joints.size() < old.joints.size()) report_removed(old, helpers, diagnostics);
   return motion;
 }
 

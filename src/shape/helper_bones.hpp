@@ -5,10 +5,10 @@
 
 namespace kinefile::shape {
 
-/// How the names of helper bones end: bones that a skeleton of bones needs and others do not.
+/// The ending of the names of helper bones, which only a skeleton of bones needs.
 inline constexpr std::string_view kHelperSuffix = "_kf_helper";
 
-/// How the name of the helper bone ends that keeps the name of the root.
+/// The ending of the name of the helper bone that keeps the name of the root.
 inline constexpr std::string_view kRootHelperSuffix = "_root_kf_helper";
 
 }  // namespace kinefile::shape

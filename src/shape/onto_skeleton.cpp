@@ -19,23 +19,23 @@ void warn(Diagnostics& diagnostics, std::string message) {
   diagnostics.add(Severity::Warning, "BRG006", std::move(message));
 }
 
-/// The joints that belong together. The first joints, which are roots, do whatever their names.
+/// The matching joints. The first joints, which are roots, match regardless of their names.
 std::vector<JointPair> match_with_roots(const Skeleton& from, const Skeleton& to) {
   if (from.joints.empty() || to.joints.empty()) return {};
   std::vector<JointPair> pairs = {{0, 0}};
   for (const JointPair pair : match_joints(from, to)) {
     if (pair.first != 0 && pair.second != 0) pairs.push_back(pair);
   }
-  // The roots alone make no match, unless there is nothing else.
+  // If only the roots match, this is no match, unless there are no other joints.
   const bool is_real = pairs.size() > 1 || from.joints.size() == 1 || to.joints.size() == 1;
   return is_real ? pairs : std::vector<JointPair>{};
 }
 
-/// How a joint's frame is turned in the world at rest.
+/// The rotation of a joint's frame in the world at rest.
 struct RestFrame {
   Quat parent = Quat::Identity();     ///< its parent's
-  Quat unturned = Quat::Identity();   ///< its own where its angles are 0
-  Quat rest_turn = Quat::Identity();  ///< what its angles at rest add to that
+  Quat unturned = Quat::Identity();   ///< its own if its angles are 0
+  Quat rest_turn = Quat::Identity();  ///< the rotation by its angles at rest
   Quat turned() const { return unturned * rest_turn; }
 };
 
@@ -51,7 +51,7 @@ std::vector<RestFrame> rest_frames_of(const Skeleton& skeleton) {
   return frames;
 }
 
-/// Degrees of freedom of one kind, outermost first; with rotations, a ball and a rotation vector.
+/// Degrees of freedom of one kind, outermost first; rotations include a ball and a rotation vector.
 std::vector<DegreeOfFreedom> dofs_of(const Joint& joint, DofKind kind) {
   if (kind == DofKind::Rotation) return rotations_of(joint);
   std::vector<DegreeOfFreedom> dofs;
@@ -60,14 +60,15 @@ std::vector<DegreeOfFreedom> dofs_of(const Joint& joint, DofKind kind) {
   return dofs;
 }
 
-/// How the values of one joint's degrees of freedom of a kind become another's.
+/// How the values of one joint's degrees of freedom of a kind are converted to another's.
 struct Transfer {
   std::vector<DegreeOfFreedom> from;
   std::vector<DegreeOfFreedom> to;
-  Mat3 to_from = Mat3::Identity();  ///< from the frame that the ones' axes are in to the others'
+  Mat3 to_from = Mat3::Identity();  ///< from the frame of the source axes to that of the target
+                                    ///< axes
   double factor = 1;                ///< between the units
-  bool are_copied = false;          ///< both do the same by the same values
-  std::vector<bool> follows;        ///< those of `to` that follow another joint
+  bool are_copied = false;          ///< both have the same motion from the same values
+  std::vector<bool> follows;        ///< which of `to` follow another joint
 };
 
 bool follows_any(const Transfer& transfer) {
@@ -75,7 +76,7 @@ bool follows_any(const Transfer& transfer) {
          transfer.follows.end();
 }
 
-/// Whether two degrees of freedom do the same by the same values.
+/// Whether two degrees of freedom have the same motion from the same values.
 bool do_the_same(const DegreeOfFreedom& a, const DegreeOfFreedom& b, const Mat3& b_from_a,
                  double factor) {
   if (a.kind != b.kind) return false;
@@ -116,15 +117,15 @@ Vec3 at_rest(const std::vector<DegreeOfFreedom>& translations) {
   return sum;
 }
 
-/// What is done with a row of the motion that is made.
+/// What to do with a row of the new motion.
 enum class Pass {
-  Write,    ///< numbers are found
-  Measure,  ///< it is found how far they are from what is wanted
+  Write,    ///< compute its numbers
+  Measure,  ///< compute the residuals
 };
 
-/// Translates a joint, or its tail, as far from its rest position as another's is from its own.
-/// \param more  how much further, in the target's frame
-/// \returns     the distance that remains
+/// Gives a joint, or its tail, the same translation from its rest position as another joint.
+/// \param more  an additional translation, in the target's frame
+/// \returns     the residual distance
 double translate(const Transfer& transfer, const Vec3& more, Pass pass,
                  std::span<const double> from, std::span<double> to) {
   if (pass == Pass::Write && transfer.are_copied && more.isZero(0)) {
@@ -140,14 +141,14 @@ double translate(const Transfer& transfer, const Vec3& more, Pass pass,
   return fit_position(start, translations, wanted, to, transfer.follows);
 }
 
-/// What one joint could not do as the other did.
+/// The residuals of a joint.
 struct Residual {
   double angle = 0;     ///< the largest, in radians
   double distance = 0;  ///< the largest, in the unit of the other skeleton
   bool is_scaled = false;
 };
 
-/// Two skeletons of which one takes over the motion of the other.
+/// Two skeletons, of which one gets the motion of the other.
 struct Sides {
   const Motion& from;
   std::vector<RestFrame> from_rest;
@@ -156,7 +157,7 @@ struct Sides {
   double scale = 1;                     ///< between the units of length
 };
 
-/// \param kind  of the degrees of freedom; rotations are all that turns a joint
+/// \param kind  of the degrees of freedom; rotations include balls and rotation vectors
 Transfer transfer_of(const Sides& sides, const Skeleton& to, JointPair pair, DofKind kind,
                      const Quat& to_from, double factor) {
   Transfer transfer{dofs_of(sides.from.skeleton.joints[pair.first], kind),
@@ -174,8 +175,8 @@ Transfer transfer_of(const Sides& sides, const Skeleton& to, JointPair pair, Dof
   return transfer;
 }
 
-/// The rotations of a joint. It turns from its rest pose as the source does from its own: in the
-/// world's axes the turns are the same.
+/// The rotations of a joint. It gets the same rotation relative to its rest pose as the source: the
+/// two are equal in the world's axes.
 class Turn {
  public:
   Turn(const Sides& sides, const Motion& result, JointPair pair)
@@ -188,8 +189,8 @@ class Turn {
     right_ = (from.rest_turn.conjugate() * to_from.conjugate() * to.rest_turn).toRotationMatrix();
   }
 
-  /// \param before  the row before, or the same one in the first frame
-  /// \returns       the angle that remains, in radians
+  /// \param before  the previous row, or the same one in the first frame
+  /// \returns       the residual angle, in radians
   double apply(Pass pass, std::span<const double> from, std::span<const double> before,
                std::span<double> to) const {
     if (pass == Pass::Write && transfer_.are_copied) {
@@ -224,7 +225,7 @@ class Turn {
     return columns;
   }
 
-  /// Numbers are found near those of the frame before.
+  /// Numbers are computed near those of the previous frame.
   void start_near(std::span<const double> before, std::span<double> to) const {
     for (const std::size_t column : led_columns()) {
       if (std::isfinite(before[column])) to[column] = before[column];
@@ -237,7 +238,7 @@ class Turn {
   Mat3 right_ = Mat3::Identity();
 };
 
-/// How one joint moves as another does.
+/// Gives one joint the motion of another.
 class Mover {
  public:
   Mover(const Sides& sides, const Motion& result, JointPair pair)
@@ -254,7 +255,7 @@ class Mover {
     const Quat tail_turn = to_rest.turned().conjugate() * from_rest.turned();
     tail_ = transfer(DofKind::TailTranslation, tail_turn, sides.scale);
     scales_ = transfer(DofKind::TailScale, tail_turn, 1);
-    // Roots go where the others are; other joints are as far from where they rest.
+    // Roots get the positions of the source roots; other joints get the same translation from rest.
     if (source.parent != kNoParent || target.parent != kNoParent) return;
     const Vec3 apart = place_.are_copied
                            ? Vec3(sides.scale * source.offset - target.offset)
@@ -262,7 +263,7 @@ class Mover {
     if (!apart.isZero(0)) more_ = target.rest_rotation.conjugate() * apart;
   }
 
-  /// Whether the joint follows others, so that what it does is known when all have moved.
+  /// Whether the joint follows others, so that its pose is known only after all have moved.
   bool follows() const {
     return turn_.follows() || follows_any(place_) || follows_any(tail_) || follows_any(scales_);
   }
@@ -304,8 +305,8 @@ bool moves_freely(const Skeleton& skeleton) {
                      [](const Joint& joint) { return kinefile::moves_freely(joint); });
 }
 
-void tell_unmatched(const Motion& motion, const Skeleton& skeleton,
-                    const std::vector<JointPair>& pairs, Diagnostics& diagnostics) {
+void report_unmatched(const Motion& motion, const Skeleton& skeleton,
+                      const std::vector<JointPair>& pairs, Diagnostics& diagnostics) {
   std::vector<bool> is_used(motion.skeleton.joints.size(), false);
   std::vector<bool> is_moved(skeleton.joints.size(), false);
   for (const JointPair pair : pairs) {
@@ -386,7 +387,7 @@ Result<Motion> onto_skeleton(const Motion& motion, const Skeleton& skeleton,
       warn(diagnostics, fmt::format("joint '{}' cannot be scaled as it was", name));
     }
   }
-  tell_unmatched(motion, skeleton, pairs, diagnostics);
+  report_unmatched(motion, skeleton, pairs, diagnostics);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions as formats have them that know one column for one angle or length, and no more.
+// Motions for formats in which a column is just one angle or length.
 
 #include <algorithm>
 
@@ -10,14 +10,14 @@
 namespace kinefile::shape {
 namespace {
 
-/// Which degree of freedom makes the numbers of a column from the numbers of which one.
+/// Which column a new column is computed from, and by which degree of freedom.
 struct Valued {
   std::size_t from = 0;
   std::size_t to = 0;
   DegreeOfFreedom dof;
 };
 
-/// Gives a degree of freedom a column that holds its values.
+/// Gives a degree of freedom its own column, which holds its values.
 void read_values_from(std::size_t column, DegreeOfFreedom& dof, std::vector<Valued>& valued) {
   valued.push_back({dof.coordinate, column, dof});
   dof.rest = value_of(dof, dof.rest);
@@ -26,7 +26,7 @@ void read_values_from(std::size_t column, DegreeOfFreedom& dof, std::vector<Valu
   dof.shift = 0;
 }
 
-/// The column of a joint's own where a file has one beside that of the joint which it follows.
+/// The following column of a joint (see `following_columns`), if it has one.
 std::optional<std::size_t> own_column_of(const std::vector<FollowingColumn>& following,
                                          std::size_t joint) {
   const auto own = std::find_if(following.begin(), following.end(),
@@ -34,7 +34,7 @@ std::optional<std::size_t> own_column_of(const std::vector<FollowingColumn>& fol
   return own == following.end() ? std::nullopt : std::optional(own->column);
 }
 
-/// A clip with more columns behind the old ones.
+/// A clip with more columns after the old ones.
 Clip widened(const Clip& clip, std::size_t num_columns) {
   Clip wider;
   wider.timeline = clip.timeline;
@@ -66,7 +66,7 @@ std::vector<std::size_t> whole_turning_joints(const Skeleton& skeleton) {
   return joints;
 }
 
-/// Columns that only whole rotations of some joints read.
+/// Columns that only the whole rotations of some joints read.
 std::vector<bool> columns_of_whole_rotations(const Skeleton& skeleton,
                                              const std::vector<std::size_t>& joints) {
   std::vector<std::size_t> readers = num_readers_of_columns(skeleton);
@@ -82,7 +82,7 @@ std::vector<bool> columns_of_whole_rotations(const Skeleton& skeleton,
   return is_read;
 }
 
-/// The columns of the new motion: three angles of a joint stand where its old columns begin.
+/// The columns of the new motion: the three angles of a joint are where its old columns begin.
 std::vector<AngleSource> plan_angles(const Skeleton& skeleton,
                                      const std::vector<std::size_t>& joints) {
   const std::vector<bool> is_replaced = columns_of_whole_rotations(skeleton, joints);
@@ -115,7 +115,7 @@ void fill_angles(const Motion& motion, std::size_t joint, const EulerAxes& axes,
   }
 }
 
-/// Puts three rotations in the place of a joint's whole one.
+/// Replaces a joint's whole rotation by three rotations.
 void turn_by_angles(Joint& joint, const RotationOrder& order, std::size_t first) {
   const auto whole = std::find_if(joint.dofs.begin(), joint.dofs.end(), [](const auto& dof) {
     return dof.kind == DofKind::Ball || dof.kind == DofKind::RotationVector;

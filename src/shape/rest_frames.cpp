@@ -10,7 +10,7 @@
 namespace kinefile::shape {
 namespace {
 
-/// Turns a joint's own frame, in which its axes and tips are, and its parent's, in which it sits.
+/// Rotates a joint's own frame, with its axes and tips, and its parent's frame, with its offset.
 void turn_frames(Joint& joint, const Mat3& new_from_old, const Mat3& new_from_old_parent) {
   joint.offset = new_from_old_parent * joint.offset;
   for (DegreeOfFreedom& dof : joint.dofs) {
@@ -26,7 +26,7 @@ bool moves_along_its_bone(const Joint& joint) {
   });
 }
 
-/// Whether a tip is the inner end of a bone: a child sits there.
+/// Whether a tip is the inner end of a bone: it coincides with a child.
 bool is_inner(const Skeleton& skeleton, const Tip& tip, const std::vector<std::size_t>& children) {
   return std::any_of(children.begin(), children.end(), [&](std::size_t child) {
     return skeleton.joints[child].offset == tip.offset;
@@ -39,14 +39,14 @@ bool has_outer_tip(const Skeleton& skeleton, const Joint& joint,
                      [&](const Tip& tip) { return !is_inner(skeleton, tip, children); });
 }
 
-/// Lets the children of a joint move as its tail does.
+/// Gives the translations of a joint's tail to its children.
 void hand_down(Motion& motion, std::size_t joint_index, const DegreeOfFreedom& tail,
                const std::vector<std::size_t>& children) {
   for (const std::size_t child : children) {
     Joint& below = motion.skeleton.joints[child];
     DegreeOfFreedom moved = tail;
     moved.kind = DofKind::Translation;
-    // Translations act behind the rest rotation, so their axes are seen through it.
+    // Translations act after the rest rotation, so their axes are transformed by it.
     moved.axis = below.rest_rotation.conjugate() * tail.axis;
     below.dofs.insert(below.dofs.begin(), moved);
   }
@@ -87,11 +87,11 @@ Result<Motion> without_tail_translations(const Motion& motion, bool lenient,
   Motion result = motion;
   const auto children = children_of_joints(motion.skeleton);
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    const Joint joint = result.skeleton.joints[j];  // a copy: it changes below
+    const Joint joint = result.skeleton.joints[j];  // a copy, because the joint changes below
     if (!moves_along_its_bone(joint)) continue;
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind != DofKind::TailTranslation) continue;
-      // Without frames the rest pose is all that there is.
+      // Without frames, only the rest pose counts.
       const bool has_frames = motion.clip.num_frames > 0;
       const double first = has_frames ? motion.clip.row(0)[dof.coordinate] : dof.rest;
       const bool is_still =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Included once for every set of vector instructions: no include guard. As sincos-inl.hpp: without
-// branches or calls, the same bits on every machine.
+// Included once for every instruction set, so without an include guard. Like sincos-inl.hpp,
+// without branches or calls, with the same bits on every machine.
 
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
@@ -26,7 +26,7 @@ HWY_INLINE double atan_polynomial(double r) {
 
 /// The angle of the point (x, y), -pi to pi. The signs of zeros count in y and not in x.
 HWY_INLINE double atan2_of(double y, double x) {
-  // Each constant as the nearest double and what that lacks.
+  // Each constant as the nearest double and its rounding error.
   constexpr double kHalfPi = 1.57079632679489655800e+00;
   constexpr double kHalfPiRest = 6.12323399573676603587e-17;
   constexpr double kTanOfEighth = 0.41421356237309503;  // of pi / 8, half way between 0 and pi / 4

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one a
-// frame, so that each line of arithmetic is a short loop that becomes vector instructions.
-// A rotation about a coordinate axis changes two columns of the rotation matrix and no more.
-// Highway compiles this file once for every set of instructions and picks one at run time.
+// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one per
+// frame, so that each line of arithmetic is a short loop that the compiler can vectorise. A
+// rotation about a coordinate axis changes only two columns of the rotation matrix.
+// Highway compiles this file once for every instruction set and selects one at run time.
 
 #include "simd/forward_kinematics.hpp"
 
@@ -38,7 +38,7 @@ struct Pose {
   VectorLanes position;
 };
 
-/// The rows that a block stands for. Lanes beyond the last row repeat it.
+/// The rows of a block. Lanes beyond the last row repeat it.
 struct Block {
   const Rows& rows;
   std::size_t first;
@@ -69,7 +69,7 @@ HWY_INLINE void fill(MatrixLanes& lanes, const Matrix& matrix) {
   for (std::size_t c = 0; c < 3; ++c) fill(lanes[c], matrix[c]);
 }
 
-/// rotation * point, plus what is in `sum`
+/// sum + rotation * point
 HWY_INLINE void add_rotated(const MatrixLanes& rotation, const VectorLanes& point,
                             VectorLanes& sum) {
   for (std::size_t r = 0; r < 3; ++r) {
@@ -88,7 +88,7 @@ HWY_INLINE void multiply(MatrixLanes& rotation, const MatrixLanes& factor) {
   rotation = product;
 }
 
-/// Turns two columns: the product with a rotation about the third axis.
+/// Rotates two columns: the product with a rotation about the third axis.
 HWY_INLINE void turn_columns(VectorLanes& first, VectorLanes& second, const Lanes& sine,
                              const Lanes& cosine) {
   for (std::size_t r = 0; r < 3; ++r) {
@@ -132,11 +132,12 @@ void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, boo
   turn_columns(rotation[(turn.axis + 1) % 3], rotation[(turn.axis + 2) % 3], sine, cosine);
 }
 
-/// How far the square of a quaternion's length may be from 1 by the rounding of nine digits, as
-/// Choreonoid writes them. Such a quaternion is taken as it is, which Choreonoid does with any.
+/// The largest deviation of the squared length of a quaternion from 1 by rounding to nine digits,
+/// as Choreonoid writes them. Such a quaternion is used unchanged, as Choreonoid does with every
+/// quaternion.
 constexpr double kRoundedSquare = 1e-8;
 
-/// A rotation that is told by a quaternion, which is normalised here and only here.
+/// A rotation from a quaternion, which is normalised only here.
 void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block& block) {
   std::array<Lanes, 4> q;
   for (std::size_t k = 0; k < 4; ++k) block.load(coordinate + k, q[k]);
@@ -162,7 +163,7 @@ void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block
   multiply(rotation, factor);
 }
 
-/// A rotation that is told by its axis times its angle.
+/// A rotation from a rotation vector.
 void apply_vector(MatrixLanes& rotation, std::size_t coordinate, const Block& block,
                   bool is_in_degrees) {
   std::array<Lanes, 3> u;
@@ -173,7 +174,7 @@ void apply_vector(MatrixLanes& rotation, std::size_t coordinate, const Block& bl
   for (std::size_t i = 0; i < kBlock; ++i) {
     const double square = u[0].v[i] * u[0].v[i] + u[1].v[i] * u[1].v[i] + u[2].v[i] * u[2].v[i];
     angle.v[i] = std::sqrt(square);
-    const double length = angle.v[i] == 0 ? 1 : angle.v[i];  // no angle, no axis
+    const double length = angle.v[i] == 0 ? 1 : angle.v[i];  // an angle of 0 has no axis
     for (std::size_t k = 0; k < 3; ++k) u[k].v[i] /= length;
   }
   (is_in_degrees ? sincos_degrees : sincos_radians)(angle.v, sine.v, cosine.v);
@@ -191,7 +192,7 @@ void apply_vector(MatrixLanes& rotation, std::size_t coordinate, const Block& bl
   multiply(rotation, factor);
 }
 
-/// Where a joint's origin lies in its parent's frame.
+/// The position of a joint's origin in its parent's frame.
 HWY_INLINE void local_position(const PlannedJoint& joint, const Block& block,
                                VectorLanes& position) {
   fill(position, joint.offset);
@@ -207,14 +208,14 @@ HWY_INLINE void local_position(const PlannedJoint& joint, const Block& block,
   }
 }
 
-/// Applies what a joint does to its children and tips.
+/// Applies a joint's tail moves, which act on its children and tips.
 void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& block) {
   for (std::size_t m = joint.tail_moves.size(); m-- > 0;) {
     const TailMove& move = joint.tail_moves[m];
     const Vector& u = move.direction;
     Lanes values;
     block.load(move.input, values);
-    if (move.is_scale && move.axis < 3) {  // a product alone loses no digits
+    if (move.is_scale && move.axis < 3) {  // a single product loses no digits
       for (std::size_t i = 0; i < kBlock; ++i) point[move.axis].v[i] *= values.v[i];
       continue;
     }
@@ -263,8 +264,8 @@ HWY_INLINE void store_point(const VectorLanes& point, const Block& block, std::s
 }
 
 /// The unit quaternion w x y z of one lane's rotation (Shepperd, "Quaternion from Rotation
-/// Matrix", 1978: the largest of the four is found first). The sign is such that w >= 0 and that
-/// at w = 0 the first other number that is not zero is positive: equal rotations, equal numbers.
+/// Matrix", 1978: the largest of the four is found first). The sign is such that w >= 0, and if w =
+/// 0 the first other nonzero number is positive: equal rotations have equal numbers.
 void store_quaternion(const MatrixLanes& m, std::size_t lane, double* out) {
   const auto at = [&m, lane](std::size_t row, std::size_t column) {
     return m[column][row].v[lane];
@@ -295,7 +296,7 @@ void store_quaternion(const MatrixLanes& m, std::size_t lane, double* out) {
   }
 }
 
-/// Copies the poses of joint `j` in a block to where they are wanted.
+/// Copies the poses of joint `j` in a block to the output.
 void store_joint(const Plan& plan, std::size_t j, const Block& block, const Pose& pose,
                  const PoseOutput& out) {
   const std::size_t num_joints = plan.joints.size();

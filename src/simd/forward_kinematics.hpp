@@ -14,7 +14,7 @@ using Matrix = std::array<Vector, 3>;  ///< [column][row]
 
 inline constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);
 
-/// A column and what makes a value of its number: gain * number + shift.
+/// A column, and how a value is computed from its number: gain * number + shift.
 struct Input {
   std::size_t coordinate = 0;
   double gain = 1;
@@ -27,7 +27,7 @@ struct Input {
 };
 
 /// A rotation about x, y or z (`axis` 0, 1, 2; `sign` -1 for the opposite axis), or about any
-/// other unit vector (`axis` 3, `sign` without meaning).
+/// other unit vector (`axis` 3, `sign` unused).
 struct Turn {
   Input input;
   std::size_t axis;
@@ -35,14 +35,14 @@ struct Turn {
   Vector direction;
 };
 
-/// A movement of a joint's origin, along a direction in its parent's frame.
+/// A translation of a joint's origin along a direction in its parent's frame.
 struct Shift {
   Input input;
   Vector direction;
 };
 
-/// What a joint does to where its children and tips sit, along an axis of its own frame: x, y or z
-/// (`axis` 0, 1, 2), or any other unit vector (`axis` 3).
+/// A translation or scale of the positions of a joint's children and tips, along an axis of the
+/// joint's frame: x, y or z (`axis` 0, 1, 2), or any other unit vector (`axis` 3).
 struct TailMove {
   Input input;
   bool is_scale;
@@ -50,17 +50,17 @@ struct TailMove {
   Vector direction;
 };
 
-/// A rotation that several columns tell as a whole.
+/// A whole rotation from several columns.
 enum class WholeRotation {
   None,
   Quaternion,  ///< qw, qx, qy, qz
   AxisAngle,   ///< an axis times its angle, three numbers
 };
 
-/// A joint as the kernel wants it: parent_from_joint is a translation by `offset` and all shifts,
-/// the rest rotation, the whole rotation, the turns, the first of them outermost.
+/// A joint in the form that the kernel needs. parent_from_joint is a translation by `offset` and
+/// all shifts, the rest rotation, the whole rotation, then the turns, the first of them outermost.
 struct PlannedJoint {
-  std::size_t parent = kNoJoint;  ///< an index below the joint's own
+  std::size_t parent = kNoJoint;  ///< an index below that of this joint
   Vector offset{};
   bool has_rest_rotation = false;
   Matrix rest_rotation{};
@@ -79,14 +79,14 @@ struct Plan {
   bool is_local = false;  ///< parent_from_joint instead of world_from_joint
 };
 
-/// Rows of values, [frame][coordinate], each `stride` numbers behind the one before.
+/// Rows of values, [frame][coordinate], consecutive rows start `stride` numbers apart.
 struct Rows {
   const double* values;
   std::size_t num_frames;
   std::size_t stride;
 };
 
-/// Where poses go, laid out as in `PoseArrays`; null for what is not wanted.
+/// The destination of poses, laid out as in `PoseArrays`; null if not requested.
 struct PoseOutput {
   double* positions;
   double* rotations;

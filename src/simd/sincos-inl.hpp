@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Included once for every set of vector instructions, by every kernel: no include guard.
+// Included once for every instruction set, by every kernel, so without an include guard.
 //
-// Loops over a block without branches or calls, so that the compiler can turn them into vector
-// instructions; sin and cos of the C library cannot be. Nothing here depends on the instructions'
-// width: products and sums are rounded one by one, so every machine gets the same bits.
+// Loops over a block without branches or calls, so that the compiler can vectorise them, which it
+// cannot do with sin and cos of the C library. Results do not depend on the vector width: products
+// and sums are rounded one by one, so every machine gets the same bits.
 
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
 namespace HWY_NAMESPACE {
 
-/// Adding and taking away 1.5 * 2^52 rounds to the nearest whole number.
+/// Adding and subtracting 1.5 * 2^52 rounds to the nearest integer.
 constexpr double kRounder = 6755399441055744.0;
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -20,7 +20,7 @@ constexpr double kMostRadians = 1 << 20;
 
 struct Angle {
   double quarters;   ///< whole quarter turns
-  double remainder;  ///< what is left, in radians, within an eighth of a turn
+  double remainder;  ///< the remainder in radians, within an eighth of a turn
 };
 
 HWY_INLINE Angle reduce_degrees(double degrees) {
@@ -80,7 +80,7 @@ HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) 
   cosine = second * cosine_sign;
 }
 
-/// Whole turns are taken off exactly; what is not finite gives NaN.
+/// Whole turns are subtracted exactly; values that are not finite give NaN.
 HWY_INLINE void far_degrees(double angle, double& sine, double& cosine) {
   place_quarter(reduce_degrees(std::remainder(angle, 360.0)), sine, cosine);
 }

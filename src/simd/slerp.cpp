@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As forward_kinematics.cpp: plain loops over blocks, compiled once for every set of vector
-// instructions, and the same bits from each.
+// Like forward_kinematics.cpp: simple loops over blocks, compiled once for every instruction set,
+// with the same bits from each.
 
 #include "simd/slerp.hpp"
 
@@ -31,7 +31,8 @@ struct alignas(64) Row {
 
 using QuaternionRows = std::array<Row, 4>;
 
-/// Nearest to `near` of all angles that are whole turns apart; those are rounded off as in sincos.
+/// The angle plus whole turns that is nearest to `near`; the number of turns is rounded as in
+/// sincos.
 HWY_INLINE double nearest_turn(double angle, double near, double turn) {
   const double turns = ((near - angle) * (1 / turn) + kRounder) - kRounder;
   return angle + turns * turn;
@@ -77,14 +78,14 @@ void quaternions_of_block(const EulerForm& form, const Angles& angles, std::size
   store(q, first, quaternions);
 }
 
-/// What the angles of a block are found from, in the unit of the angles.
+/// The half angles of a block, in the unit of the angles.
 struct HalfAngles {
   Row plus;    ///< (a + sign c) / 2
   Row minus;   ///< (a - sign c) / 2
   Row middle;  ///< b - shift, not halved
 };
 
-/// \param near  what is taken in gimbal lock
+/// \param near  the angles that are used in gimbal lock
 HWY_INLINE void half_angles(const EulerForm& form, const QuaternionRows& q, const HalfAngles& near,
                             HalfAngles& found) {
   constexpr double kLocked = 1e-13;
@@ -114,7 +115,7 @@ void half_angles_of_block(const EulerForm& form, const Quaternions& quaternions,
   }
 }
 
-/// Two triples of angles that make the same rotation: one each way around the middle axis.
+/// Two triples of angles for the same rotation: their middle angles have opposite signs.
 struct Candidates {
   std::array<Row, 3> first;
   std::array<Row, 3> second;
@@ -134,10 +135,10 @@ HWY_INLINE void find_candidates(const EulerForm& form, const HalfAngles& found, 
   }
 }
 
-/// Puts the nearer of two triples in the place of the angles that they are to be near.
+/// Replaces given angles by the nearer of two triples.
 HWY_INLINE void choose_nearer(double turn, Candidates& candidates, std::size_t first,
                               Angles& angles) {
-  Row gain;  // how much nearer the second is, squared
+  Row gain;  // the difference of the squared distances; positive if the second is nearer
   for (std::size_t i = 0; i < kBlock; ++i) gain.v[i] = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double* HWY_RESTRICT near = angles[k].data() + first;
@@ -186,7 +187,7 @@ HWY_INLINE void dot(const QuaternionRows& a, const QuaternionRows& b, Row& produ
   }
 }
 
-/// -1 for quaternions that lie on different sides, 1 for others.
+/// -1 for quaternions on different sides, 1 for others.
 HWY_INLINE void find_sides(const QuaternionRows& a, const QuaternionRows& b, Row& sides) {
   dot(a, b, sides);
   for (std::size_t i = 0; i < kBlock; ++i) sides.v[i] = sides.v[i] < 0 ? -1.0 : 1.0;
@@ -213,7 +214,7 @@ HWY_INLINE void load_ends(const Quaternions& quaternions, const Between* places,
   }
 }
 
-/// Loads a block of places, with both ends on the side of the first; `sides` is what that took.
+/// Loads a block of places, with both ends on the side of the first; `sides` are the signs applied.
 HWY_INLINE void load_near(const Quaternions& quaternions, const Between* places, Ends& ends,
                           Row& sides, Row& t) {
   load_ends(quaternions, places, ends);
@@ -222,7 +223,7 @@ HWY_INLINE void load_near(const Quaternions& quaternions, const Between* places,
   scale(sides, ends.to);
 }
 
-/// Along the great circle from one end to the other, whatever their sides.
+/// Along the great circle from one end to the other, regardless of their sides.
 HWY_INLINE void slerp_one_way(const Ends& ends, const Row& t, QuaternionRows& out) {
   constexpr double kNearlyEqual = 1e-8;  // the chord differs from the arc by less than a bit
   Row cosine, sine, part, sin_part, cos_part;
@@ -269,7 +270,7 @@ void squad_block(const Quaternions& quaternions, const Quaternions& controls, co
   QuaternionRows q;
   load_near(quaternions, places, ends, sides, t);
   load_ends(controls, places, inner_ends);
-  scale(sides, inner_ends.to);  // a control point goes with its quaternion
+  scale(sides, inner_ends.to);  // a control point has the sign of its quaternion
   slerp_one_way(ends, t, middle.from);
   slerp_one_way(inner_ends, t, middle.to);
   for (std::size_t i = 0; i < kBlock; ++i) inwards.v[i] = 2 * t.v[i] * (1 - t.v[i]);
@@ -279,7 +280,7 @@ void squad_block(const Quaternions& quaternions, const Quaternions& controls, co
 
 using VectorRows = std::array<Row, 3>;
 
-/// Adds the logarithm of conjugate(a) b, or of its twin where that is shorter.
+/// Adds the logarithm of conjugate(a) b, or of its negative if that is shorter.
 HWY_INLINE void add_log(const QuaternionRows& a, const QuaternionRows& b, VectorRows& sum) {
   for (std::size_t i = 0; i < kBlock; ++i) {
     const double aw = a[0].v[i], ax = a[1].v[i], ay = a[2].v[i], az = a[3].v[i];

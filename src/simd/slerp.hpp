@@ -9,8 +9,8 @@
 
 namespace kinefile::simd {
 
-/// Vectors of `kSize` numbers, one array a component: [component][vector]. The length of the arrays
-/// is a multiple of kBlock (see `padded`); what lies behind the last vector means nothing.
+/// Vectors of `kSize` numbers, one array per component: [component][vector]. The length of the
+/// arrays is a multiple of kBlock (see `padded`); the padding is unspecified.
 template <std::size_t kSize>
 using Components = std::array<std::vector<double>, kSize>;
 
@@ -20,14 +20,14 @@ using Quaternions = Components<4>;  ///< w x y z
 /// The next multiple of kBlock.
 constexpr std::size_t padded(std::size_t count) { return (count + kBlock - 1) / kBlock * kBlock; }
 
-/// Three axes that a rotation can be brought back to (see `euler_angles`), as far as the kernel
-/// must know them. Seen in the basis of the first, the second and their cross product, the rotation
-/// is Rx(a) Ry(b) Rx(sign c) (proper Euler) or Rx(a) Ry(b) Rz(sign c) (Tait-Bryan); the latter is
-/// Rx(a) Ry(b - 90 degrees) Rx(sign c), times a constant. So one formula does for all axes:
+/// Three axes that can represent every rotation (see `euler_angles`), in the form that the kernel
+/// needs. In the basis of the first, the second and their cross product, the rotation is Rx(a)
+/// Ry(b) Rx(sign c) (proper Euler) or Rx(a) Ry(b) Rz(sign c) (Tait-Bryan); the latter is Rx(a) Ry(b
+/// - 90 degrees) Rx(sign c), times a constant. So one formula covers all axes:
 ///     w = cos(b'/2) cos(p)   x = cos(b'/2) sin(p)   y = sin(b'/2) cos(m)   z = sin(b'/2) sin(m)
 /// with b' = b - shift, p = (a + sign c) / 2, m = (a - sign c) / 2.
 /// These quaternions are the joint's own up to constant factors on the left and on the right, which
-/// no interpolation of rotations notices.
+/// do not affect interpolation of rotations.
 /// Source: Bernardes and Viollet, "Quaternion to Euler angles conversion", PLOS ONE 17 (2022).
 struct EulerForm {
   double sign = 1;
@@ -38,14 +38,14 @@ struct EulerForm {
 /// The quaternions of angles.
 void quaternions_of_angles(const EulerForm& form, const Angles& angles, Quaternions& quaternions);
 
-/// The angles of quaternions of any length, the nearest to given ones. In gimbal lock, where only a
-/// sum or a difference of the outer angles is known, the other stays as given.
-/// \param angles  in: what the angles are to be near; out: the angles
+/// The angles of quaternions of any length, nearest to given angles. In gimbal lock, where only a
+/// sum or a difference of the outer angles is known, the other keeps its given value.
+/// \param angles  in: the angles shall be near these; out: the angles
 void angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions, Angles& angles);
 
-/// What the angles of quaternions of any length are found from: (a + sign c) / 2, (a - sign c) / 2
-/// and b - shift, the last from 0 to half a turn. At either end of that, in gimbal lock, one of the
-/// others means nothing.
+/// The half angles of quaternions of any length: (a + sign c) / 2, (a - sign c) / 2 and b - shift,
+/// the last from 0 to half a turn. At both ends of that range, in gimbal lock, one of the other two
+/// is undefined.
 /// \param halves  out, in the unit of the angles
 void half_angles_of_quaternions(const EulerForm& form, const Quaternions& quaternions,
                                 Angles& halves);
@@ -63,14 +63,14 @@ struct Between {
 void slerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out);
 void nlerp(const Quaternions& quaternions, const std::vector<Between>& places, Quaternions& out);
 
-/// The quaternions before and after one on a curve, or itself where there are none.
+/// The quaternions before and after one on a curve, or itself if there is none.
 struct Neighbours {
   std::size_t before;
   std::size_t after;
 };
 
 /// The inner control points of a curve through unit quaternions, as `kinefile::squad_control` finds
-/// them; the quaternion itself where a neighbour is missing.
+/// them; the quaternion itself if a neighbour is missing.
 /// \param neighbours  of each quaternion, padded
 void squad_controls(const Quaternions& quaternions, const std::vector<Neighbours>& neighbours,
                     Quaternions& controls);
@@ -80,7 +80,7 @@ void squad(const Quaternions& quaternions, const Quaternions& controls,
            const std::vector<Between>& places, Quaternions& out);
 
 /// The angle of a point (x, y) as the kernel computes it, for arrays padded to a multiple of
-/// kBlock. For numbers far from the ends of what a double can hold; within 2 units in the last
+/// kBlock. For numbers far from the limits of the range of doubles; within 2 units in the last
 /// place.
 void atan2(const std::vector<double>& y, const std::vector<double>& x, std::vector<double>& angles);
 

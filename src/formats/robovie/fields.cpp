@@ -12,7 +12,7 @@
 namespace kinefile::robovie {
 namespace {
 
-/// Whether a number is written as the editor does: no sign but a minus, no zeros before it.
+/// Whether a number is written as by the editor: no plus sign, no leading zeros.
 bool is_plain(std::string_view digits) {
   if (digits == "0") return true;
   if (digits.starts_with('-')) digits.remove_prefix(1);

@@ -14,8 +14,8 @@ namespace kinefile::acclaim {
 /// How the syntax of a skeleton is interpreted.
 struct BindOptions {
   bool forces_3dof = false;                     ///< bones that can turn get all three rotations
-  double metres_per_quotient = kMetresPerInch;  ///< what lengths divided by the unit of length are
-                                                ///< in; 0: nobody knows
+  double metres_per_quotient = kMetresPerInch;  ///< the unit of lengths after division by the unit
+                                                ///< of length; 0: unknown
 };
 
 /// The rotation of an orientation: "XYZ" gives Rz Ry Rx. Whole quarter turns are exact.

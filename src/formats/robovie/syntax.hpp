@@ -2,7 +2,7 @@
 #pragma once
 
 // RobovieMaker's motion files. Sources: the maker's description of the format ("RobovieMaker2
-// course", no. 6), and files that RobovieMaker2 wrote; docs/formats/robovie.md says the source of
+// course", no. 6), and files that RobovieMaker2 wrote; docs/formats/robovie.md gives the source of
 // each rule.
 
 #include <array>

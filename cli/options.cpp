@@ -26,7 +26,7 @@ bool reads_with(const Format& format, std::string_view option) {
 
 /// Whether an option has an effect on a conversion to a format.
 bool writes_with(const Format& format, std::string_view option) {
-  if (format.write == nullptr) return false;
+  if (!is_written(format)) return false;
   if (find_option(format.write_options, option) != nullptr) return true;
   for (const AdaptOption& adapting : adapt_options()) {
     if (adapting.option.info.name == option) return adapting.is_for(format);

@@ -35,7 +35,7 @@ void add_writing_options(CLI::App& command, Writing& writing) {
       ->type_name("FORMAT");
   std::vector<TableFlag> flags;
   for (const Format& format : formats()) {
-    if (format.write != nullptr) add_table(flags, format.write_options, writing.format);
+    if (is_written(format)) add_table(flags, format.write_options, writing.format);
   }
   for (const TableFlag& flag : flags) {
     if (!is_of_reading(flag.info.name)) add_flag(command, flag);

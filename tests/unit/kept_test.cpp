@@ -93,9 +93,11 @@ TEST(KeptOfJoints, GoesToTheirBonesAndNotToNewOnes) {
   ASSERT_TRUE(bones);
   std::size_t num_new = 0;
   for (const Joint& joint : bones->skeleton.joints) {
+    // The root of a file of bones has a fixed name; its first bone keeps the old one.
+    const std::string name = joint.name.substr(0, joint.name.find("_root_kf_helper"));
     const bool is_old = std::any_of(walk.skeleton.joints.begin(), walk.skeleton.joints.end(),
-                                    [&](const Joint& old) { return old.name == joint.name; });
-    EXPECT_EQ(toy_of(joint), is_old ? joint.name : "none");
+                                    [&](const Joint& old) { return old.name == name; });
+    EXPECT_EQ(toy_of(joint), is_old ? name : "none") << joint.name;
     num_new += is_old ? 0 : 1;
   }
   EXPECT_GT(num_new, 1u);  // the root, and bones that lead to joints

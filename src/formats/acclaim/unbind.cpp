@@ -77,11 +77,12 @@ Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& join
       case DofKind::TailTranslation:
         lengths.push_back(&dof);
         break;
-      case DofKind::Free:
       case DofKind::Ball:
       case DofKind::RotationVector:
+        return fail(not_expressible(joint, "turns in any way"));
+      case DofKind::Free:
       case DofKind::TailScale:
-        return fail(not_expressible(joint, "moves freely, turns in any way or is scaled"));
+        return fail(not_expressible(joint, "moves freely or is scaled"));
     }
     if (!is_plain(dof)) {
       return fail(not_expressible(joint, "follows a column with a gain or a shift"));

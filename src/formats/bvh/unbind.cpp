@@ -74,7 +74,9 @@ std::optional<Error> name_columns(const Skeleton& skeleton, std::vector<Column>&
       const auto axis = coordinate_axis(dof.axis);
       Column& column = columns[dof.coordinate];
       if (kind == ChannelKind::Unknown) {
-        return not_expressible(joint, "moves freely, turns in any way or moves along its bone");
+        const bool is_whole = num_coordinates(dof) > 1 && dof.kind != DofKind::Free;
+        return not_expressible(joint,
+                               is_whole ? "turns in any way" : "moves freely or along its bone");
       }
       if (!is_plain(dof)) return not_expressible(joint, "follows a column with a gain or a shift");
       if (!axis) return not_expressible(joint, "moves about an axis other than x, y and z");

@@ -155,9 +155,9 @@ std::map<std::string, std::size_t> ids_of(const Skeleton& skeleton) {
 /// Puts columns of joints in the order of the robot's joint ids.
 void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& header,
                   Group& group) {
-  const std::map<std::string, std::size_t> ids = ids_of(skeleton_of(*reader.options.skeleton));
-  std::vector<std::size_t> ordered(
-      skeleton_of(*reader.options.skeleton).coordinates.size() - kRootColumns, kNoColumn);
+  const Skeleton& robot = skeleton_of(*reader.options.skeleton);
+  const std::map<std::string, std::size_t> ids = ids_of(robot);
+  std::vector<std::size_t> ordered(robot.coordinates.size() - kRootColumns, kNoColumn);
   for (const std::size_t column : group.columns) {
     const text::CsvField& field = header[column];
     const auto id = ids.find(split_name(field.text).first);
@@ -173,7 +173,14 @@ void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& 
     }
     ordered[id->second] = column;
   }
-  const auto num_missing = std::count(ordered.begin(), ordered.end(), kNoColumn);
+  for (const FollowingColumn& one : following_columns(robot)) {
+    const DegreeOfFreedom& dof = robot.joints[one.joint].dofs[0];
+    const std::size_t part = one.column - kRootColumns;
+    if (ordered[part] != kNoColumn || dof.coordinate < kRootColumns) continue;
+    group.following.push_back({part, dof.coordinate - kRootColumns, dof});
+  }
+  const auto num_missing = std::count(ordered.begin(), ordered.end(), kNoColumn) -
+                           static_cast<std::ptrdiff_t>(group.following.size());
   if (num_missing > 0) {
     text::report(reader.source, reader.diagnostics, Severity::Warning, "CSV009",
                  fmt::format("the table has no column for {} of the robot's {} joints; they stay "

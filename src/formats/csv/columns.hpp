@@ -36,12 +36,20 @@ struct TableReader {
 /// No column: the table does not have this value, so it is at rest.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
+/// A part without a column whose joint follows another's (see `following_columns`).
+struct FollowingPart {
+  std::size_t part = 0;
+  std::size_t leader = 0;  ///< the part that it follows
+  DegreeOfFreedom dof;
+};
+
 /// The columns of one component, in the component's order.
 struct Group {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
-  std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is 0
+  std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is 0, or follows
   std::vector<std::string> names;    ///< of joints and links, one per part
+  std::vector<FollowingPart> following = {};
 };
 
 /// Determines the columns from the header. If `options.skeleton` is given, joints are matched to

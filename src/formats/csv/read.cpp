@@ -74,6 +74,12 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
       component.values.push_back(rests ? 0.0 : rows.values[f * rows.num_columns + column]);
     }
   }
+  const Rows values = component.mutate();
+  for (const FollowingPart& one : group.following) {
+    for (std::size_t f = 0; f < component.num_frames; ++f) {
+      values[f][one.part] = value_of(one.dof, values[f][one.leader]);
+    }
+  }
   return component;
 }
 

@@ -154,6 +154,12 @@ TEST(BvhWrite, RefusesWhatItHasNoWordsFor) {
   EXPECT_EQ(refusal_of(skeleton).kind, ErrorKind::DataLoss);
   EXPECT_EQ(refusal_of(skeleton).message,
             "BVH cannot say that joint 'base' moves freely or along its bone");
+  skeleton.joints[0].dofs = {{DofKind::Ball, Vec3::UnitX(), 0, 0}};
+  EXPECT_EQ(refusal_of(skeleton).message, "BVH cannot say that joint 'base' turns in any way");
+  skeleton.joints[0].dofs = {{DofKind::Rotation, Vec3::UnitX(), 0, 0}};
+  skeleton.joints[0].dofs[0].gain = 2;
+  EXPECT_EQ(refusal_of(skeleton).message,
+            "BVH cannot say that joint 'base' follows a column with a gain or a shift");
   skeleton.joints[0].dofs = {{DofKind::Rotation, Vec3(0, 0.6, 0.8), 0, 0}};
   EXPECT_EQ(refusal_of(skeleton).message,
             "BVH cannot say that joint 'base' moves about an axis other than x, y and z");

@@ -90,6 +90,23 @@ TEST(Csv, TheRateIsWhatTheTimesTell) {
   EXPECT_EQ(own_times(components_of(read)[0].timeline), (std::vector<double>{0, 0.1, 0.3}));
 }
 
+TEST(Csv, AJointThatFollowsNeedsNoColumn) {
+  Document robot = *robot_document();
+  Joint& knee = std::get<Skeleton>(robot.content).joints[1];
+  ASSERT_EQ(knee.name, "KNEE");
+  EXPECT_EQ(knee.joint_name, "KNEE_P");
+  knee.dofs[0].coordinate = kRootColumns;  // the hip's
+  knee.dofs[0].gain = 2;
+  knee.dofs[0].shift = 0.5;
+  ReadOptions options;
+  options.skeleton = std::make_shared<const Document>(robot);
+  const auto without = read_csv("time,HIP\n0,1\n0.1,3\n", options);
+  EXPECT_EQ(components_of(without)[0].values, (std::vector<double>{1, 2.5, 3, 6.5}));
+  EXPECT_EQ(text_of(without.diagnostics), "");
+  const auto with = read_csv("time,KNEE,HIP\n0,7,1\n0.1,8,3\n", options);
+  EXPECT_EQ(components_of(with)[0].values, (std::vector<double>{1, 7, 3, 8}));
+}
+
 TEST(Csv, JointsGoToTheirIdsByTheirNames) {
   ReadOptions options;
   options.skeleton = robot_document();

@@ -50,6 +50,38 @@ TEST(RobotRealFiles, HaveTheLinksAndJointsThatChoreonoidCounts) {
   }
 }
 
+TEST(RobotRealFiles, TheFingersOfNaoFollowItsHands) {
+  SKIP_WITHOUT_DATA();
+  Diagnostics diagnostics;
+  const auto document =
+      read_file(data_folder() + "/robots/nao_v50/nao.urdf", nullptr, {}, diagnostics);
+  ASSERT_TRUE(document);
+  const Skeleton& skeleton = skeleton_of(*document);
+  const auto following = following_columns(skeleton);
+  EXPECT_EQ(following.size(), 17u);
+  const auto columns = value_columns(skeleton);
+  const auto by_joint_name = [&](const std::string& name) {
+    const auto found =
+        std::find_if(skeleton.joints.begin(), skeleton.joints.end(),
+                     [&name](const Joint& joint) { return joint.joint_name == name; });
+    return static_cast<std::size_t>(found - skeleton.joints.begin());
+  };
+  const std::size_t hand = by_joint_name("RHand");
+  Motion motion{skeleton, rest_clip(skeleton)};
+  motion.clip.timeline = {FrameRate{10}, 0};
+  motion.clip.mutate()[0][*columns[hand]] = 0.5;
+  const auto body = robot::project(motion, robot::BodyForm::Joints, nullptr, diagnostics);
+  ASSERT_TRUE(body);
+  const std::size_t finger = by_joint_name("RFinger12");
+  EXPECT_DOUBLE_EQ(body->components[1].row(0)[*columns[finger] - kRootColumns], 0.5 * 0.999899);
+  const auto back = robot::pose(*body, skeleton, false, diagnostics);
+  ASSERT_TRUE(back);
+  const LocalPoses poses = local_poses(skeleton, back->clip, {.rotations = true});
+  const double* q = &poses.rotations[4 * finger];
+  EXPECT_NEAR(angle_between(Quat(q[0], q[1], q[2], q[3]), skeleton.joints[finger].rest_rotation),
+              0.5 * 0.999899, 1e-9);
+}
+
 TEST(RobotRealFiles, AllRead) {
   SKIP_WITHOUT_DATA();
   std::size_t count = 0;

@@ -33,7 +33,7 @@ struct TableReader {
   }
 };
 
-/// No column: the table does not have this value, so it is at rest.
+/// No column: the table does not have this value, so it is at rest or follows another value.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 /// A part without a column whose joint follows another's (see `following_columns`).

@@ -28,7 +28,7 @@ int run(Align& align, const Globals& globals) {
   retime::AlignOptions options;
   if (align.by == "points") options.by = retime::AlignOptions::By::Points;
   auto map = retime::align_map(*document, *reference, options);
-  // Without a file to write the motion to, the map is what was asked for.
+  // Without an output file the map is printed.
   const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
   align.retiming.prints_table |= !has_output;
   return finish_retiming(std::move(map), std::move(*document), align.file, align.retiming,

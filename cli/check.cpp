@@ -40,7 +40,7 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
              count(Severity::Warning, "warning"), count(Severity::Note, "note"));
 }
 
-/// A file in a folder that nothing is known of.
+/// The note about a file in a folder whose format is unknown.
 Diagnostic unknown_format(const std::string& path) {
   Diagnostic note;
   note.severity = Severity::Note;
@@ -50,7 +50,7 @@ Diagnostic unknown_format(const std::string& path) {
   return note;
 }
 
-/// What is wrong with one file.
+/// The diagnostics of one file.
 Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_code) {
   Diagnostics diagnostics;
   if (!file.is_known) {
@@ -71,7 +71,7 @@ Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_
   return diagnostics;
 }
 
-/// Prints what is wrong with a file, or adds it to the array for JSON.
+/// Prints the diagnostics of a file, or adds them to the array for JSON.
 void report(const InputFile& file, const Diagnostics& diagnostics, const Check& check,
             const Globals& globals, Json& all) {
   if (check.is_json) {
@@ -82,7 +82,8 @@ void report(const InputFile& file, const Diagnostics& diagnostics, const Check& 
   }
 }
 
-/// Checks a file, or those of a folder. Returns the exit code, no better than the one given.
+/// Checks a file, or the files of a folder.
+/// \returns the worse of the given exit code and that of the check
 int check_path(const std::string& path, const Check& check, const Globals& globals, Json& all,
                int exit_code) {
   const std::vector<InputFile> files = with_files_of_folders({path});

@@ -12,7 +12,7 @@
 
 namespace kinefile::cli {
 
-/// What the program returns to its caller; see docs/guide/command-line.md.
+/// The exit codes of the program; see docs/guide/command-line.md.
 enum ExitCode : int {
   kDone = 0,
   kInvalid = 1,
@@ -26,36 +26,36 @@ enum ExitCode : int {
 struct Globals {
   bool is_quiet = false;
   std::string color = "auto";
-  std::function<int()> run;  ///< the command that was chosen
+  std::function<int()> run;  ///< runs the selected command
 };
 
 /// Options of every command that reads files.
 struct Reading {
   std::string from;
   std::string skeleton;
-  std::string project;  ///< of a robot that flows are for
-  /// What `project` names, once it has been read; see `load_project`.
+  std::string project;  ///< the project of the robot that flows are for
+  /// The project that `project` names, after it was read; see `load_project`.
   mutable std::shared_ptr<const RobotProject> loaded_project;
-  ReadOptions options;  ///< what the formats' tables of options say
+  ReadOptions options;  ///< set through the formats' tables of options
   bool is_lenient = false;
   bool is_strict = false;
-  const CLI::App* command = nullptr;  ///< that was given these options
-  /// The formats of the files that were read so far, each once, and whether `skeleton` was one.
+  const CLI::App* command = nullptr;  ///< the command that has these options
+  /// The formats of the files that were read so far, each once, and whether `skeleton` was read.
   mutable std::vector<const Format*> formats;
   mutable bool is_skeleton_used = false;
 };
 
-/// What is wrong with a text as frames a second; empty if nothing is.
+/// Why a text is not a valid frame rate; empty if it is.
 std::string check_rate(const std::string& text);
 
-/// Gives a command the options of `Reading`.
+/// Adds the options of `Reading` to a command.
 void add_reading_options(CLI::App& command, Reading& reading);
 
 /// Reads a file; null after a fault, which is then reported on stderr and counted in `exit_code`.
 std::optional<Document> load(const std::string& path, const Reading& reading,
                              const Globals& globals, int& exit_code);
 
-/// As `load`, but reports nothing: what was noticed is in `diagnostics`.
+/// As `load`, but prints nothing: all messages are in `diagnostics`.
 Result<Document> load_quietly(const std::string& path, const Reading& reading,
                               Diagnostics& diagnostics);
 
@@ -70,7 +70,8 @@ Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
 std::optional<PoseFlow> load_flow(const std::string& path, const Reading& reading,
                                   const Globals& globals, int& exit_code);
 
-/// Reports that the command was asked for something that makes no sense. Returns kUsage.
+/// Reports a usage error.
+/// \returns kUsage
 int usage_error(const Globals& globals, const std::string& message);
 
 void add_info(CLI::App& app, Globals& globals);

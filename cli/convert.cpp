@@ -18,7 +18,8 @@ struct Convert {
 int run(Convert& convert, const Globals& globals) {
   const Format* format = output_format(convert.writing);
   if (format == nullptr) return no_output_format(convert.writing, globals);
-  // Where the output can have an encoding it is meant; the bytes of the input tell theirs.
+  // If the output format has an encoding, the option applies to it; the input's encoding is
+  // detected.
   if (find_option(format->write_options, "encoding") != nullptr) {
     convert.reading.options.encoding.clear();
   }

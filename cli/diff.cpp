@@ -20,7 +20,7 @@ struct Diff {
   Reading reading;
 };
 
-/// A line about a largest difference; nothing if there was nothing to compare.
+/// Prints a line about a largest difference; no line if nothing was compared.
 void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
   if (largest.joint.empty()) return;
   print_data(fmt::format("{:<22}{}{}", what, largest.value, unit));
@@ -30,7 +30,7 @@ void print_largest(std::string_view what, const LargestDifference& largest, std:
   print_data("\n");
 }
 
-/// The same as JSON: null if there was nothing to compare.
+/// The same as JSON: null if nothing was compared.
 Json json_of(const LargestDifference& largest) {
   if (largest.joint.empty()) return nullptr;
   return {{"value", std::isfinite(largest.value) ? Json(largest.value) : Json("inf")},

@@ -17,7 +17,7 @@ struct Edit {
   Reading reading;
 };
 
-/// What operations may need beside the document: other files, and the project.
+/// The inputs of operations besides the document: other files, and the project.
 Result<OperationContext> context_of(const Reading& reading, Diagnostics& diagnostics) {
   OperationContext context;
   context.lenient = reading.is_lenient;

@@ -60,7 +60,7 @@ int write_table(const Fk& fk, const Globals& globals, const FkTable& table, bool
   return exit_code_of(committed.error());
 }
 
-/// Finds out whether to write CSV or JSON; nothing for another format.
+/// Whether to write JSON instead of CSV; empty for another format.
 std::optional<bool> is_json_wanted(const Fk& fk) {
   if (!fk.to.empty()) return fk.to == "json";
   if (fk.out == "-") return false;
@@ -69,7 +69,7 @@ std::optional<bool> is_json_wanted(const Fk& fk) {
   return format->name == "json";
 }
 
-/// Reports what kept a command from its data, unless that is among diagnostics that were printed.
+/// Reports the error that stopped a command, unless it is among the diagnostics that were printed.
 int report(Error error, const Diagnostics& diagnostics, const std::string& file,
            const Globals& globals) {
   if (error.place.source.empty()) error.place.source = file;
@@ -77,7 +77,7 @@ int report(Error error, const Diagnostics& diagnostics, const std::string& file,
   return exit_code_of(error);
 }
 
-/// Tells how far kinematics and the recorded poses of links differ, a row a link.
+/// Prints how far kinematics and the recorded poses of links differ, one row per link.
 int compare(const Fk& fk, const Document& document, const Globals& globals) {
   if (fk.reading.skeleton.empty() || !std::holds_alternative<BodyMotion>(document.content)) {
     return usage_error(globals, "--compare needs a body motion and the model of --skeleton");

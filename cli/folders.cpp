@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether all kinds of files are called so, and only the content tells which they are.
+/// Whether many kinds of files have this extension, so that only the content shows the format.
 bool has_common_extension(const fs::path& path) {
   constexpr std::string_view kCommon[] = {".txt", ".csv", ".yaml", ".yml"};
   std::string extension = path.extension().string();
@@ -23,7 +23,7 @@ bool has_common_extension(const fs::path& path) {
 bool has_known_format(const std::string& path) {
   constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
   const auto bytes = FileBytes::open(path);
-  if (!bytes) return true;  // reading it tells why
+  if (!bytes) return true;  // reading it later reports the reason
   const std::string name = has_common_extension(path) ? "" : path;
   const Format* format = detect_format(bytes->view().substr(0, kHeadBytes), name);
   return format != nullptr && format->read != nullptr;

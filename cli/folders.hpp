@@ -6,14 +6,13 @@
 
 namespace kinefile::cli {
 
-/// A file that a command was given, or that it found in a folder that it was given.
+/// A file that was given to a command, or that is in a folder that was given.
 struct InputFile {
   std::string path;
-  bool is_known = true;  ///< else its format is not known: of files in folders alone
+  bool is_known = true;  ///< false: the format is unknown (only for files in folders)
 };
 
-/// Puts the files of folders in the place of the folders, each in the order of names; what is in
-/// folders within them is left alone.
+/// Replaces folders by their files, in the order of names. Nested folders are not searched.
 std::vector<InputFile> with_files_of_folders(const std::vector<std::string>& paths);
 
 }  // namespace kinefile::cli

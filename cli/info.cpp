@@ -52,7 +52,7 @@ std::string tree_of(const Skeleton& skeleton) {
   return tree;
 }
 
-/// The orders in which joints turn and how many have each: "ZXY on 20 joints, Z on 2 joints".
+/// The rotation orders and the number of joints with each: "ZXY on 20 joints, Z on 2 joints".
 std::string order_text(const std::vector<RotationOrderInfo>& orders) {
   std::string text;
   for (const RotationOrderInfo& order : orders) {
@@ -68,7 +68,7 @@ std::string box_text(const Box& box) {
                      box.max.x(), box.min.y(), box.max.y(), box.min.z(), box.max.z());
 }
 
-/// What a component of a body motion is, in words.
+/// A description of a component of a body motion.
 std::string component_text(const ComponentInfo& info) {
   if (info.kind == ComponentKind::Other) {
     return fmt::format("{}, kept as it stands", info.type.empty() ? "of unknown type" : info.type);
@@ -151,7 +151,7 @@ Json json_of_component(const ComponentInfo& info) {
   return json;
 }
 
-/// What a body motion has of length and rate: those of its main component.
+/// Adds the length and rate of a body motion: those of its main component.
 void add_body(Json& json, const BodyInfo& info) {
   if (info.time) {
     json["num_frames"] = info.time->num_frames;
@@ -207,7 +207,7 @@ Json json_of_document(const std::string& path, const Document& document) {
   return json;
 }
 
-/// Prints what a flow holds, or adds it to the array for JSON.
+/// Prints the content of a flow, or adds it to the array for JSON.
 void tell_flow(const std::string& name, const Document& document, const Options& options,
                Json& all) {
   const RobotProject* const project = options.reading.loaded_project.get();

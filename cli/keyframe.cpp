@@ -154,7 +154,8 @@ void add_keyframe(CLI::App& app, Globals& globals) {
   add_reading_options(*command, keyframe->reading);
   command->callback([keyframe, command, &globals] {
     if (keyframe->flow_format == "word_n") keyframe->options.format = FlowFormat::WordN;
-    // Frames with times are interpolated at the ticks, unless they are to go to a rate's frames.
+    // Frames with times are interpolated at the ticks, unless --timed-rounding moves them to frames
+    // at a steady rate.
     if (command->count("--timed-rounding") == 0) keyframe->reading.options.keeps_times = true;
     globals.run = [keyframe, &globals] { return run(*keyframe, globals); };
   });

@@ -12,7 +12,7 @@
 namespace kinefile::cli {
 namespace {
 
-/// The first word that is no option, where the command should be.
+/// The first word that is not an option: the place of the command.
 std::string first_word(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '-') return argv[i];
@@ -84,8 +84,8 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-/// Opens on nothing what the caller closed of the standard streams, so that a file which is opened
-/// later does not get their number, and with it our messages.
+/// Opens standard streams that the caller closed on the null device. Otherwise a file that is
+/// opened later would get their number, and our messages would go into that file.
 void open_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
     if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);
@@ -96,7 +96,7 @@ void open_standard_streams() {
 
 int main(int argc, char** argv) {
   kinefile::cli::open_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early is a failed write
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early then causes a failed write
   try {
     return kinefile::cli::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 
-// One walk over the options makes the man page and the completions, so that they cannot differ
-// from what the program takes.
+// The man page and the completions are generated from the options, so that they always match what
+// the program accepts.
 
 namespace kinefile::cli {
 namespace {
@@ -73,8 +73,8 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return fmt::format("{}", fmt::join(words, separator));
 }
 
-/// A text in which nothing means something to roff: backslashes, hyphens, and the dots and
-/// apostrophes that start a line.
+/// A text with everything escaped that is special in roff: backslashes, hyphens, and dots and
+/// apostrophes at the start of a line.
 std::string escaped_roff(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -161,7 +161,7 @@ std::string bash_completion(const CLI::App& app) {
       joined(names, "|"), cases, choice_cases, joined(global_words, " "), joined(names, " "));
 }
 
-/// A description inside a zsh specification: brackets, colons and quotes mean something there.
+/// A description inside a zsh specification, where brackets, colons and quotes are special.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {

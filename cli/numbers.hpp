@@ -12,7 +12,7 @@
 
 namespace kinefile::cli {
 
-/// Reads a whole text as a number; nothing if it is none.
+/// Reads a whole text as a number; empty if it is not one.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number number{};
@@ -27,7 +27,7 @@ inline std::optional<double> parse_finite(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// What is wrong with the text of an option as a number within bounds; empty if nothing is.
+/// Why the text of an option is not a number within bounds; empty if it is.
 inline std::string check_number(const std::string& text, double least, double most) {
   const auto number = parse_finite(text);
   const bool is_good = number && *number >= least && *number <= most;

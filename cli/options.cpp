@@ -24,7 +24,7 @@ bool reads_with(const Format& format, std::string_view option) {
   return find_option(format.read_options, option) != nullptr;
 }
 
-/// Whether an option has an effect on the way to a format.
+/// Whether an option has an effect on a conversion to a format.
 bool writes_with(const Format& format, std::string_view option) {
   if (!is_written(format)) return false;
   if (find_option(format.write_options, option) != nullptr) return true;
@@ -34,7 +34,7 @@ bool writes_with(const Format& format, std::string_view option) {
   return false;
 }
 
-/// The formats that have a use for an option.
+/// The formats on which an option has an effect.
 std::vector<std::string_view> users_of(std::string_view option,
                                        bool (*uses)(const Format&, std::string_view option)) {
   std::vector<std::string_view> names;
@@ -49,7 +49,7 @@ bool is_read_option(const Reading& reading, std::string_view option) {
                      [option](const Format* format) { return reads_with(*format, option); });
 }
 
-/// What an option is for, and what it was given for.
+/// The formats that an option is for, and those that it was given for.
 std::string refusal(std::string_view option, const Reading& reading, const Format* output) {
   std::vector<std::string_view> inputs;
   for (const Format* format : reading.formats) inputs.push_back(format->name);
@@ -107,7 +107,7 @@ Result<void> expect_options_of(const Reading& reading, const Format* output) {
   for (const CLI::Option* option : reading.command->get_options()) {
     if (option->count() == 0) continue;
     const std::string name = option->get_single_name();
-    if (name == "skeleton") continue;  // whose use shows; see `expect_skeleton_used`
+    if (name == "skeleton") continue;  // checked by `expect_skeleton_used`
     const bool is_of_formats =
         !users_of(name, reads_with).empty() || !users_of(name, writes_with).empty();
     const bool has_use = !is_of_formats || is_read_option(reading, name) ||

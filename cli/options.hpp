@@ -13,20 +13,20 @@
 
 namespace kinefile::cli {
 
-/// A flag that is made from tables of options. Formats may have an option of one name: it is one
-/// flag, which sets it for all of them.
+/// A flag that is made from tables of options. If several formats have an option with the same
+/// name, it is one flag, which sets it for all of them.
 struct TableFlag {
   OptionInfo info;
-  std::string help;  ///< of all of them
+  std::string help;  ///< the help texts of all formats
   std::vector<std::function<bool(const std::string& word)>> setters;
 };
 
-/// Adds the options of a table to flags. `target` must live as long as they.
+/// Adds the options of a table to flags. `target` must outlive them.
 template <class Target>
 void add_table(std::vector<TableFlag>& flags, std::span<const Option<Target>> table,
                Target& target) {
   for (const Option<Target>& option : table) {
-    if (option.set == nullptr) continue;  // a file: the command reads it
+    if (option.set == nullptr) continue;  // a file option, which the command reads
     auto flag = std::find_if(flags.begin(), flags.end(), [&option](const TableFlag& known) {
       return known.info.name == option.info.name;
     });
@@ -41,21 +41,21 @@ void add_table(std::vector<TableFlag>& flags, std::span<const Option<Target>> ta
   }
 }
 
-/// Gives a command a flag, unless it has one of that name.
+/// Adds a flag to a command, unless it has one with that name.
 void add_flag(CLI::App& command, const TableFlag& flag);
 
-/// Refuses the first option that was given and means nothing for the formats at hand, by their
-/// tables of options: neither for a file that was read nor for the output.
+/// Refuses the first given option that has no effect on the files that were read and on the output,
+/// by the tables of options of their formats.
 /// \param output  the format of the output, or null
 /// \errors CLI003 (Usage)
 Result<void> expect_options_of(const Reading& reading, const Format* output);
 
-/// Refuses --skeleton where nothing has read it.
+/// Refuses --skeleton if it was not read.
 /// \errors CLI003 (Usage)
 Result<void> expect_skeleton_used(const Reading& reading);
 
-/// Both, at the end of a command that writes no document; what is wrong is reported. Returns the
-/// exit code, no better than the one given.
+/// Checks both, at the end of a command that writes no document; errors are reported.
+/// \returns the worse of the given exit code and that of the checks
 int finish_reading(const Reading& reading, const Globals& globals, int exit_code);
 
 }  // namespace kinefile::cli

@@ -24,7 +24,7 @@ std::vector<std::string> readable_formats() {
 std::string check_rate(const std::string& text) {
   double rate = 0;
   const bool is_number = CLI::detail::lexical_cast(text, rate);
-  // Within these, frame times and times are finite numbers, too.
+  // Within these limits, frame times and times are finite numbers, too.
   return is_number && rate >= 1e-9 && rate <= 1e9 ? "" : "expected frames a second above 0";
 }
 
@@ -57,7 +57,7 @@ void add_format(const Reading& reading, const Format* format) {
   if (std::find(known.begin(), known.end(), format) == known.end()) known.push_back(format);
 }
 
-/// Keeps in mind what format a file had; of one that could not be read, what it was to be.
+/// Records the format of a file; if the file could not be read, the expected format.
 void note_format(const std::string& path, const Reading& reading, const Format* asked,
                  const Result<Document>& document) {
   const Format* format = document ? find_format(document->format) : asked;

@@ -66,7 +66,8 @@ void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const 
 
 void print_error(const Error& error, const Globals& globals) {
   std::fflush(stdout);
-  // Whoever reads our output had enough, as `head` has: the exit code says it, no words are needed.
+  // The reader of our output stopped early, as `head` does: the exit code is enough, no message is
+  // needed.
   const std::string pipe_closed = fmt::format("cannot write: {}", std::strerror(EPIPE));
   if (error.place.source == "<stdout>" && error.message == pipe_closed) return;
   print_one(stderr, error, wants_color(stderr, globals));

@@ -36,7 +36,7 @@ void add_resample(CLI::App& app, Globals& globals) {
       app.add_subcommand("resample", "Give a motion another frame rate and the same duration");
   command->add_option("FILE", resample->file, "File to read; - is standard input")->required();
   add_retiming_options(*command, resample->retiming, false);
-  // Here the rate is the output's; what the input's is, the file says.
+  // Here --fps is the output's rate; the input's rate comes from the file.
   command->remove_option(command->get_option("--fps"));
   command->add_option("--fps", resample->frame_rate, "Frames a second of the output")
       ->check(check_rate)

@@ -17,17 +17,18 @@ struct Retiming {
   Reading reading;
 };
 
-/// How rotations are to be found, and so on.
+/// How rotations are interpolated, and related options.
 retime::RetimeOptions retime_options(const Retiming& retiming);
 
-/// Gives a command the options of `Retiming`; `--table` if it may print its map.
+/// Adds the options of `Retiming` to a command; with `--table` if it can print its map.
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table);
 
-/// Reads a motion or a body motion; reports why there is none.
+/// Reads a motion or a body motion; reports the error if there is none.
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,
                                     const Globals& globals, int& exit_code);
 
-/// Ends a command: prints the map, or shows the motion by it and writes that. Reports errors.
+/// Ends a command: prints the map, or applies it to the motion and writes the result. Reports
+/// errors.
 int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
                     const Retiming& retiming, Diagnostics& diagnostics, const Globals& globals);
 

@@ -36,7 +36,7 @@ struct Run {
 
 using VariableValue = std::pair<std::size_t, std::int16_t>;
 
-/// Reads "64=3" or "v64=3"; nothing if it is no variable and value.
+/// Reads "64=3" or "v64=3"; empty if it is not a variable and a value.
 std::optional<VariableValue> parse_variable_value(std::string_view text) {
   if (text.starts_with('v')) text.remove_prefix(1);
   const std::size_t equals = text.find('=');
@@ -54,7 +54,7 @@ Result<std::vector<flow::Input>> load_inputs(const std::string& path) {
   return parse_inputs(bytes->view(), path);
 }
 
-/// How the flow is to be run.
+/// The settings for running the flow.
 Result<RunSettings> settings_of(const Run& run, Diagnostics& diagnostics) {
   RunSettings settings;
   auto project = load_project(run.reading, diagnostics);
@@ -84,7 +84,7 @@ Result<RunSettings> settings_of(const Run& run, Diagnostics& diagnostics) {
   return settings;
 }
 
-/// What was noticed in a run, with the file that it is about.
+/// The diagnostics of a run, with the name of the file.
 Diagnostics named(const Diagnostics& noticed, const Run& run) {
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = run.reading.is_strict;
@@ -95,13 +95,13 @@ Diagnostics named(const Diagnostics& noticed, const Run& run) {
   return diagnostics;
 }
 
-/// The format of the output: CSV on standard output, else what its name shows.
+/// The format of the output: CSV on standard output, otherwise by the file's name.
 const Format* format_of(const Run& run) {
   const bool is_plain = run.writing.out == "-" && run.writing.to.empty();
   return is_plain ? find_format("csv") : output_format(run.writing);
 }
 
-/// What is wrong with what was asked for; empty if nothing is.
+/// Why the options do not fit together; empty if they do.
 std::string misuse(const Run& run) {
   if (run.in_degrees && run.reading.project.empty()) {
     return "--degrees needs --project, which says what words mean";
@@ -138,7 +138,7 @@ std::string misuse(const Run& run) {
   return {};
 }
 
-/// Writes what the sliders did, or the way of the flow.
+/// Writes the values of the sliders, or the path of the flow.
 Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun& done) {
   auto file = OutputFile::create(run.writing.out, run.writing.may_replace);
   if (!file) return fail(file.error());
@@ -152,7 +152,8 @@ Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun&
   return file->commit();
 }
 
-/// Tells what was noticed and what ended the command, if something did. Returns the exit code.
+/// Reports the diagnostics, and the error that ended the command, if any.
+/// \returns the exit code
 int report_run(const Run& run, const Diagnostics& noticed, Result<void> done,
                const Globals& globals) {
   const Diagnostics diagnostics = named(noticed, run);

@@ -8,8 +8,8 @@
 
 namespace kinefile::cli {
 
-/// The skeleton or robot that `--skeleton` names, read when it is needed; null if it names none.
-/// \param reading  outlives the source
+/// The skeleton or robot that `--skeleton` names, read on demand; null if none is given.
+/// \param reading  must outlive the source
 inline DocumentSource source_of_skeleton(const Reading& reading) {
   if (reading.skeleton.empty()) return {};
   return [&reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {

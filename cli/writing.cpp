@@ -19,7 +19,7 @@ std::vector<std::string> writable_formats() {
   return names;
 }
 
-/// Whether an option is one of reading, too: an encoding, say.
+/// Whether an option is also an option for reading, for example an encoding.
 bool is_of_reading(std::string_view option) {
   const auto all = formats();
   return std::any_of(all.begin(), all.end(), [option](const Format& format) {
@@ -48,7 +48,7 @@ void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading)
   for (const AdaptOption& adapting : adapt_options()) {
     add_table(flags, std::span(&adapting.option, 1), writing.adapting);
   }
-  // What the output has in common with the input is one flag for both.
+  // An option that output and input share is one flag for both.
   for (const Format& format : formats()) {
     add_table(flags, format.write_options, writing.format);
   }
@@ -85,7 +85,7 @@ Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostic
   return parse_joint_map(bytes->view(), path, diagnostics);
 }
 
-/// The skeleton or robot that an option names, read when it is needed.
+/// The skeleton or robot that an option names, read on demand.
 DocumentSource source_of(const std::string& path, const Reading& reading) {
   if (path.empty()) return {};
   return [path, &reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
@@ -135,7 +135,7 @@ int write_document(Result<void> made, Document&& document, const Format& format,
   print_diagnostics(stderr, diagnostics, globals);
   if (made) return kDone;
   if (made.error().place.source.empty()) made.error().place.source = source;
-  // What --strict made an error of has been printed already.
+  // A warning that --strict made an error has been printed already.
   if (!diagnostics.has_errors()) print_error(made.error(), globals);
   return exit_code_of(made.error());
 }

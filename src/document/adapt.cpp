@@ -18,8 +18,8 @@ bool asks_for_channels(const shape::ChannelOptions& channels) {
   return channels.order || channels.positions != shape::PositionChannels::AsIs;
 }
 
-/// The motion with its angles in degrees. Every column is read by one degree of freedom, whose
-/// value is its number.
+/// The motion with its angles in degrees. One degree of freedom reads each column, and its value is
+/// the column's number.
 Motion in_degrees(Motion motion) {
   if (motion.skeleton.angle_unit == AngleUnit::Degrees) return motion;
   motion.skeleton.angle_unit = AngleUnit::Degrees;
@@ -39,7 +39,7 @@ Motion in_degrees(Motion motion) {
 
 Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
                        Diagnostics& diagnostics) {
-  // Angles turn with their joints' frames, quaternions could not.
+  // Angles rotate with their joints' frames; quaternions cannot.
   const Motion plain = shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
   auto aligned = shape::with_world_aligned_rest(plain);
   if (!aligned) return aligned;
@@ -63,7 +63,7 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
     if (!aligned) return aligned;
     motion = std::move(*aligned);
   }
-  // No bone turns twice about one axis.
+  // A bone does not turn twice about the same axis.
   const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
                                              motion.skeleton.joints.end(), shape::repeats_an_axis);
   if (has_repeated_axes || asks_for_channels(channels)) {
@@ -76,7 +76,7 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
   return shape::with_bones(motion, channels.lenient, diagnostics);
 }
 
-/// The same skeleton with an end on every last joint, which many readers of BVH ask for.
+/// The same skeleton with an end on every joint without children, which many BVH readers require.
 Motion with_ends(Motion motion) {
   const auto children = children_of_joints(motion.skeleton);
   for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
@@ -86,7 +86,7 @@ Motion with_ends(Motion motion) {
   return motion;
 }
 
-/// Whether a document comes from a format of bones and goes into one of another kind of skeletons.
+/// Whether a document is converted from a format with bones to one without.
 bool leaves_bones(const Format& format, const Document& document) {
   const Format* from = find_format(document.format);
   return from != nullptr && from->conventions.has_one_end && !format.conventions.has_one_end &&
@@ -142,7 +142,7 @@ bool are_written_alike(const Format& format, const Document& a, const Document& 
       return true;
     };
     if (!format.write || !format.write(document, {}, sink, ignored)) return std::nullopt;
-    std::erase(text, '\r');  // line ends are no difference
+    std::erase(text, '\r');  // line ends do not count as a difference
     return text;
   };
   const auto first = written(a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the options of `adapt`, and which formats each has an effect for.
+// The table of the options of `adapt`, and the formats on which each option has an effect.
 #include <array>
 #include <string>
 
@@ -15,7 +15,7 @@ bool writes_skeletons(const Format& format) {
   return format.conventions.writes.motions || format.conventions.writes.skeletons;
 }
 
-/// Whether a body motion or its columns are what a motion becomes there.
+/// Whether the format writes a motion as a body motion or as its columns.
 bool writes_components(const Format& format) {
   const Conventions& conventions = format.conventions;
   return conventions.has_columns_of_components ||

@@ -13,7 +13,7 @@
 namespace kinefile {
 namespace {
 
-/// A breach of a limit in words.
+/// A breach of a limit, as a sentence.
 std::string sentence_of(const LimitBreach& breach, const Skeleton& skeleton) {
   const std::string& joint = skeleton.joints[breach.joint].name;
   if (breach.kind == LimitBreach::Kind::TooFast) {
@@ -31,7 +31,7 @@ std::string sentence_of(const LimitBreach& breach, const Skeleton& skeleton) {
       breach.num_frames, breach.first_frame);
 }
 
-/// A sudden turn in words.
+/// A sudden turn, as a sentence.
 std::string sentence_of(const SuddenTurn& turn, const Skeleton& skeleton) {
   std::string sentence =
       fmt::format("joint '{}' turns by {:.0f} degrees from frame {} to {}",
@@ -51,7 +51,7 @@ void note_sudden_turns(const Motion& motion, Diagnostics& diagnostics) {
 /// How far a breach is beyond its limit.
 double excess(const LimitBreach& breach) { return std::abs(breach.worst - breach.limit); }
 
-/// Of the breaches of a figure's joint, which turns about several axes, the worst of each kind.
+/// For each joint of a figure, which turns about several axes, the worst breach of each kind.
 std::vector<LimitBreach> one_a_joint(const std::vector<LimitBreach>& breaches) {
   std::vector<LimitBreach> worst;
   for (const LimitBreach& breach : breaches) {
@@ -67,7 +67,8 @@ std::vector<LimitBreach> one_a_joint(const std::vector<LimitBreach>& breaches) {
   return worst;
 }
 
-/// A robot cannot go there; what an ASF file says of a figure is often narrower than the person.
+/// A robot cannot exceed its limits; the limits of a figure in an ASF file
+/// are often narrower than the person's.
 void tell_breaches(const Motion& motion, Diagnostics& diagnostics) {
   const bool is_robot = robot::is_robot(motion.skeleton);
   auto breaches = find_limit_breaches(motion);
@@ -79,7 +80,7 @@ void tell_breaches(const Motion& motion, Diagnostics& diagnostics) {
   }
 }
 
-/// Puts a body motion or a flow, which is none, on the robot.
+/// Puts a document that is not a motion (a body motion or a flow) on the robot.
 void check_on_robot(const Document& document, const CheckOptions& options,
                     Diagnostics& diagnostics) {
   const auto placed = place(document, options.robot, options.lenient, diagnostics);
@@ -111,7 +112,7 @@ Result<void> check(const DocumentSource& source, const CheckOptions& options,
     check(**document, options, diagnostics);
     return {};
   }
-  // A fault of the file itself, not of its content, is not among the diagnostics yet.
+  // A fault of the file itself, and not of its content, is not in the diagnostics yet.
   if (!diagnostics.has_errors()) diagnostics.add(document.error());
   return fail(document.error());
 }

@@ -6,7 +6,7 @@
 namespace kinefile {
 namespace {
 
-/// The motion of a document; of a skeleton alone one frame of its rest pose.
+/// The motion of a document; for a skeleton alone, one frame of its rest pose.
 Motion motion_or_rest(const Document& document) {
   Motion motion = still_or_moving(document);
   if (std::holds_alternative<Skeleton>(document.content)) motion.clip = rest_clip(motion.skeleton);

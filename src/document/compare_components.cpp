@@ -13,7 +13,7 @@ ComponentSize size_of(const Component& component) {
   return {component.num_frames, component.num_parts, rate > 0 && std::isfinite(rate) ? rate : 0};
 }
 
-/// A component as a motion, its parts by their numbers: not every file names them.
+/// A component as a motion whose parts are named by number, because not every file names them.
 Motion motion_by_numbers(Component component) {
   component.part_names.clear();
   return robot::motion_of_component(component);

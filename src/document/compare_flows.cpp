@@ -38,7 +38,7 @@ void add_settings(Settings& settings, const BranchBlock& branch) {
   settings.emplace_back("detail", fmt::format("{}", branch.detail));
 }
 
-/// What a block says, but for its place, setting by setting.
+/// The settings of a block, except its place.
 Settings settings_of(const PoseFlow& flow, const Block& block) {
   const bool is_word_n = flow.format == FlowFormat::WordN;
   Settings settings = {{"kind", std::string(body_name(block))},

@@ -15,7 +15,7 @@ tl::unexpected<Error> refuse_table(std::string message) {
   return fail(ErrorKind::Usage, "CLI001", std::move(message));
 }
 
-/// The joints of these names, in skeleton order; all joints where there are no names.
+/// The joints with these names, in skeleton order; all joints if there are no names.
 Result<std::vector<std::size_t>> joints_named(const Skeleton& skeleton, const FkOptions& options) {
   std::vector<bool> is_selected(skeleton.joints.size(), options.joints.empty());
   for (const std::string& name : options.joints) {

@@ -28,7 +28,7 @@ Result<void> change_flow_by(Document& document, const Options& options,
   return {};
 }
 
-/// A form that a function of a flow gives.
+/// The form of an operation that is a function of a flow.
 template <class Options, ChangeOfFlow<Options> Change>
 OperationForm flow_form(std::span<const Parameter> parameters = {}) {
   return form<Options, change_flow_by<Options, Change>>(parameters);
@@ -56,7 +56,8 @@ std::optional<std::vector<flow::MirrorPair>> parse_pairs(std::string_view text) 
   return pairs.empty() ? std::nullopt : std::optional(pairs);
 }
 
-/// The pairs of the project that `--project` names, but of sliders in pairs that were given those.
+/// The pairs of the project that `--project` names; pairs that were given replace those of the same
+/// sliders.
 Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
                                                     const RobotProject& project,
                                                     const std::vector<flow::MirrorPair>& given,
@@ -83,7 +84,7 @@ Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
   return pairs;
 }
 
-/// Reads a list of sliders, "0-5+12"; nothing if it is none.
+/// Reads a list of sliders, "0-5+12"; empty if the text is not one.
 std::optional<std::vector<std::size_t>> parse_sliders(std::string_view text) {
   std::vector<std::size_t> sliders;
   for (const std::string& part : words::split(text, '+')) {
@@ -218,7 +219,7 @@ Result<PoseFlow> insert_flow(const PoseFlow& flow, const Insert& insert,
   return flow::insert(flow, insert.block, *other);
 }
 
-/// The parameter that is a block.
+/// The parameter that names a block.
 template <auto Member>
 constexpr Parameter block_parameter(std::string_view help) {
   return parameter<Member>({.name = "block",

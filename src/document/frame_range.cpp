@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "text/option_words.hpp"
 #include "kinefile/operation.hpp"
+#include "text/option_words.hpp"
 
 namespace kinefile {
 
@@ -25,7 +25,7 @@ std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_f
   }
   const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
   if (!is_inside) return std::nullopt;
-  range.step = std::min(range.step, num_frames + 1);  // a longer one takes the first frame, too
+  range.step = std::min(range.step, num_frames + 1);  // a longer step gives the first frame, too
   return range;
 }
 

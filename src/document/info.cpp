@@ -9,7 +9,7 @@
 namespace kinefile {
 namespace {
 
-/// The order in which a joint turns; empty if it does not.
+/// The rotation order of a joint; empty if it does not turn.
 std::string rotation_order_of(const Joint& joint) {
   std::string order;
   for (const DegreeOfFreedom& dof : joint.dofs) {

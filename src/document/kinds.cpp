@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions for formats of motions, body motions for formats of those.
+// Converts documents to the kind that a format can hold: motions or body motions.
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 namespace kinefile {
 namespace {
 
-/// A figure whose rest pose is larger than this is taken to be measured in centimetres.
+/// A figure whose rest pose is larger than this is assumed to be in centimetres.
 constexpr double kTallestInMetres = 10;
 
 constexpr const char* kZIsUp =
     "z points up in a body motion of a robot, whatever --up says: the joints' values stay";
 
-/// What one unit of a motion's lengths is in metres, guessed where the file does not say.
+/// One unit of a motion's lengths in metres, guessed if the file does not specify it.
 double settle_unit(const Skeleton& skeleton, Diagnostics& diagnostics) {
   if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
   const double size = rest_size(skeleton);
@@ -41,11 +41,11 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
   return edit::up(std::move(motion), up, diagnostics);
 }
 
-/// Tells of the values of joint ids that no joint of the robot has, which poses do not show.
+/// Reports values of joint ids that no joint of the robot has; poses do not contain them.
 void tell_unread(const Motion& motion, Diagnostics& diagnostics) {
   std::vector<std::size_t> num_readers = num_readers_of_columns(motion.skeleton);
   for (const FollowingColumn& following : following_columns(motion.skeleton)) {
-    ++num_readers[following.column];  // the joint has this value by following another
+    ++num_readers[following.column];  // the joint gets this value by following another
   }
   std::vector<std::string> ids;
   for (std::size_t c = kRootColumns; c < num_readers.size(); ++c) {
@@ -77,7 +77,7 @@ Result<BodyMotion> in_form(const BodyMotion& body, const KindOptions& options,
   return robot::project(*posed, *options.form, &body, diagnostics);
 }
 
-/// What the robot's joints are called, and what they follow.
+/// The names of the robot's joints, and what they follow.
 robot::RobotNames names_of(const KindOptions& options) {
   robot::RobotNames names;
   names.source_of = options.joint_map;
@@ -89,8 +89,8 @@ bool has_joint(const Skeleton& skeleton, const std::string& name) {
                      [&name](const Joint& joint) { return lowered(joint.name) == lowered(name); });
 }
 
-/// \errors CNV007 (Usage) for an entry of a map whose names are no link or joint of the robot, or
-/// no joint of the figure
+/// \errors CNV007 (Usage) if a name in an entry of the map is not a link or joint of the robot, or
+/// not a joint of the figure
 Result<void> expect_known(const robot::RobotNames& names, const Skeleton& figure,
                           const Skeleton& robot) {
   for (const auto& [name, source] : names.source_of) {
@@ -172,7 +172,7 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
       names.push_back(fmt::format("joint{}", id));
     }
     const auto columns = value_columns(robot);
-    for (std::size_t j = columns.size(); j-- > 0;) {  // of joints of one id, the first
+    for (std::size_t j = columns.size(); j-- > 0;) {  // among joints with the same id, the first
       const bool is_there = columns[j] && *columns[j] < kRootColumns + component.num_parts;
       if (is_there) names[*columns[j] - kRootColumns] = robot.joints[j].name;
     }
@@ -180,7 +180,7 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
   return body;
 }
 
-/// What an hrpsys set has a place for: joints, the root's pose, a ZMP relative to the root.
+/// The data that an hrpsys set can store: joints, the root's pose, a ZMP relative to the root.
 Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
                           Diagnostics& diagnostics) {
   KindOptions as_joints = options;
@@ -213,7 +213,7 @@ Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
   return zmp == nullptr ? made : robot::zmp(*made, true, diagnostics);
 }
 
-/// Whether a format takes body motions and nothing else of a robot's or a figure's.
+/// Whether a format accepts body motions, and no motions or skeletons.
 bool takes_bodies_alone(const Conventions& conventions) {
   return conventions.writes.body_motions && !conventions.writes.motions;
 }
@@ -232,7 +232,7 @@ Result<Document> as_columns(Document document, const BodyMotion& body, const Ske
   return document;
 }
 
-/// A motion or a skeleton with the axis up that was asked for.
+/// A motion or a skeleton with the requested up axis.
 Result<Document> with_up_axis(Document document, const KindOptions& options,
                               Diagnostics& diagnostics) {
   if (!options.up) return document;
@@ -250,7 +250,7 @@ Result<Document> with_up_axis(Document document, const KindOptions& options,
   return document;
 }
 
-/// Brings a motion or a skeleton into a kind that the format can write.
+/// Converts a motion or a skeleton to a kind that the format can write.
 Result<Document> motion_for(const Conventions& conventions, Document document,
                             const KindOptions& options, Diagnostics& diagnostics) {
   const Motion* motion = std::get_if<Motion>(&document.content);
@@ -276,7 +276,7 @@ Result<Document> motion_for(const Conventions& conventions, Document document,
   return document;
 }
 
-/// Brings a body motion into a kind that the format can write.
+/// Converts a body motion to a kind that the format can write.
 Result<Document> body_for(const Conventions& conventions, Document document,
                           const KindOptions& options, Diagnostics& diagnostics) {
   BodyMotion body = *std::get_if<BodyMotion>(&document.content);
@@ -314,7 +314,7 @@ Error no_way(const Document& document) {
               : "a motion becomes a flow of servo poses by 'kinefile keyframe' with a servo map");
 }
 
-/// Whether the motion goes onto the joints of the model.
+/// Whether the motion is mapped to the joints of the model.
 bool goes_onto_joints(const Conventions& conventions, const Document& document,
                       const KindOptions& options) {
   const Motion* motion = std::get_if<Motion>(&document.content);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the operations of the table do to motions, and to body motions by their components.
+// The operations of the table on motions, and on body motions by their components.
 #include <fmt/format.h>
 
 #include <array>
@@ -205,7 +205,8 @@ struct Rename {
   std::string names;  ///< OLD:NEW
 };
 
-/// Where OLD:NEW is to be parted: names may hold colons, so OLD is the longest that is a joint's.
+/// The colon at which OLD:NEW is split. Names may contain colons, so OLD is the longest prefix that
+/// is the name of a joint.
 std::size_t find_colon(const Skeleton& skeleton, const std::string& text) {
   for (std::size_t at = text.rfind(':'); at != std::string::npos && at > 0;
        at = text.rfind(':', at - 1)) {

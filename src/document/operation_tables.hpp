@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The operations that the table lists, and what their entries are made of.
+// The operations in the table, and the parts of their entries.
 #pragma once
 
 #include "kinefile/operation.hpp"
@@ -26,7 +26,7 @@ OperationInfo merge();
 OperationInfo insert();
 OperationInfo erase();
 
-/// The forms of operations that motions and flows have in common, for flows.
+/// The flow forms of operations that work on both motions and flows.
 OperationForm reverse_of_flow();
 OperationForm speed_of_flow();
 OperationForm mirror_of_flow();
@@ -43,7 +43,7 @@ constexpr Parameter parameter(const OptionInfo& info) {
           }};
 }
 
-/// A parameter of a text that has a form of its own.
+/// A parameter whose text has its own syntax.
 /// \tparam Read  std::optional<Value>(std::string_view)
 template <auto Member, auto Read>
 constexpr Parameter parameter(const OptionInfo& info) {
@@ -56,7 +56,7 @@ constexpr Parameter parameter(const OptionInfo& info) {
           }};
 }
 
-/// A form that a function of a document gives.
+/// The form of an operation that is a function of a document.
 template <class Options,
           Result<void> (*Change)(Document&, const Options&, const OperationContext&, Diagnostics&)>
 OperationForm form(std::span<const Parameter> parameters = {}) {
@@ -81,14 +81,14 @@ Result<void> change_motion_by(Document& document, const Options& options,
   });
 }
 
-/// A form that a function of a motion gives.
+/// The form of an operation that is a function of a motion.
 template <class Options, ChangeOfMotion<Options> Change>
 OperationForm motion_form(std::span<const Parameter> parameters = {}) {
   return form<Options, change_motion_by<Options, Change>>(parameters);
 }
 
 /// Reads another file that an operation names.
-/// \errors CLI001 (Usage) where the context cannot open any; the reader's
+/// \errors CLI001 (Usage) if the context cannot open files; the reader's errors
 inline Result<Document> open_other(const std::string& name, const OperationContext& context) {
   if (context.open) return context.open(name);
   return fail(ErrorKind::Usage, "CLI001", "'" + name + "' cannot be read: no other files can be");

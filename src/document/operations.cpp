@@ -15,7 +15,7 @@ tl::unexpected<Error> refuse_operation(std::string message) {
   return fail(ErrorKind::Usage, "CLI001", std::move(message));
 }
 
-/// How an operation is called, for one document or another.
+/// How to call an operation, for each kind of document.
 std::string usages_of(const OperationInfo& info) {
   const std::string usage = usage_of(info, info.form);
   const std::string of_flow = usage_of(info, info.flow_form);
@@ -23,11 +23,11 @@ std::string usages_of(const OperationInfo& info) {
   return usage.empty() ? of_flow : fmt::format("{} (of a flow: {})", usage, of_flow);
 }
 
-/// Whether a parameter is told by its name.
+/// Whether a parameter is given by name.
 bool is_named(const Parameter& parameter) { return parameter.info.separator == 0; }
 
-/// Takes ",NAME=WORD" from the end of an argument.
-/// \returns the word; nothing if the argument does not name the parameter
+/// Removes ",NAME=WORD" from the end of an argument.
+/// \returns the word; empty if the argument does not name the parameter
 std::optional<std::string> take_named(const Parameter& parameter, std::string& argument) {
   const std::string key = fmt::format(",{}=", parameter.info.name);
   const std::size_t at = argument.rfind(key);
@@ -37,14 +37,14 @@ std::optional<std::string> take_named(const Parameter& parameter, std::string& a
   return word;
 }
 
-/// The words of the parameters that are told by their place; fewer than there are parameters where
-/// a separator is missing.
+/// The words of the parameters that are given by position; fewer than there are parameters if a
+/// separator is missing.
 std::vector<std::string> words_by_place(std::span<const Parameter> parameters,
                                         std::string_view argument) {
   std::vector<std::string> words;
   for (std::size_t p = 0; p + 1 < parameters.size() && !is_named(parameters[p + 1]); ++p) {
     const char separator = parameters[p + 1].info.separator;
-    // Names of files may hold separators, what follows them does not.
+    // Names of files may contain separators; the parameters after them do not.
     const bool is_file = parameters[p].info.type == OptionType::File;
     const std::size_t at = is_file ? argument.rfind(separator) : argument.find(separator);
     if (at == std::string_view::npos) return words;
@@ -55,13 +55,13 @@ std::vector<std::string> words_by_place(std::span<const Parameter> parameters,
   return words;
 }
 
-/// Whether the first parameter may be left out, with all that follow it.
+/// Whether the first parameter and all after it may be omitted.
 bool can_be_bare(const OperationForm& form) {
   return form.parameters.empty() || !form.parameters.front().info.is_required;
 }
 
-/// Reads the parameters of a form out of what follows "=", or out of nothing (null). Empty if they
-/// are not what the form takes.
+/// Reads the parameters of a form from the text after "="; null if there is none. Empty if the form
+/// does not accept them.
 std::any parse_options(const OperationForm& form, const std::string* argument) {
   if (form.apply == nullptr) return {};
   std::any options = form.defaults();
@@ -89,7 +89,7 @@ std::vector<OperationInfo> all_operations() {
           unwrap(),   zmp(),     offset(), merge(),  insert(), erase()};
 }
 
-/// What keeps an operation from a document; empty if nothing does.
+/// Why an operation cannot be applied to a document; empty if it can.
 std::string hindrance(const Operation& operation, const Document& document) {
   if (std::holds_alternative<PoseFlow>(document.content)) {
     return operation.flow_options.has_value() ? "" : "a motion, and the file holds a flow of poses";
@@ -104,7 +104,7 @@ std::string hindrance(const Operation& operation, const Document& document) {
   return {};
 }
 
-/// Whether a component can be changed, and its length or rate is not the main one's.
+/// Whether a component can be changed and its length or rate differs from the main component's.
 bool disagrees(const Component& component, const Component& main) {
   if (component.kind == ComponentKind::Other) return false;
   return component.num_frames != main.num_frames ||

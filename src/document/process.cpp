@@ -10,7 +10,7 @@
 namespace kinefile {
 namespace {
 
-/// Whether a document was read with a skeleton of its own, which is no robot to put it on.
+/// Whether a document was read with its own skeleton, which is not a robot to put it on.
 bool has_own_skeleton(const Document& document) {
   const Format* from = find_format(document.format);
   return from != nullptr && !from->companion.empty();
@@ -35,13 +35,14 @@ Result<Document> in_wanted_kind(Document document, const Format& format,
   return in_kind_of(format, std::move(document), kinds, diagnostics);
 }
 
-/// The motion on the skeleton that was named for it, if its format keeps that in a file of its own.
+/// The motion on the skeleton that was given for it, if its format stores the skeleton in a
+/// separate file.
 /// \param skeleton  out: that skeleton
 Result<Document> on_named_skeleton(Document document, const Format& format,
                                    const AdaptOptions& adapting,
                                    std::shared_ptr<const Document>& skeleton,
                                    Diagnostics& diagnostics) {
-  Diagnostics ignored;  // a motion that needs it has told of it already
+  Diagnostics ignored;  // if the motion needs it, this was reported already
   const bool is_new = document.format != format.name;
   auto found = document_of(adapting.skeleton, is_new ? diagnostics : ignored);
   if (!found) return fail(std::move(found.error()));
@@ -66,7 +67,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   }
   if (made) made = adapted_to(format, std::move(*made), channels, diagnostics);
   if (!made) return made;
-  // The named skeleton serves the output, too, as long as the motion still fits it.
+  // The given skeleton is also used for the output if the motion still fits it.
   if (skeleton != nullptr && skeleton->format == format.companion &&
       are_written_alike(*find_format(format.companion), *skeleton, *made)) {
     options.writes_companion = false;

@@ -14,7 +14,7 @@ Result<void> expect_frames(const Document& document) {
   return fail(wrong_kind(document, "a motion to show at other times"));
 }
 
-/// The frames in which a document's times are said: a motion's, or those of a body motion's main
+/// The frames that a document's times refer to: those of a motion, or of a body motion's main
 /// component. Precondition: `has_frames`.
 std::pair<const Timeline*, std::size_t> main_frames(const Document& document) {
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {

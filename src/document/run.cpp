@@ -12,7 +12,7 @@
 namespace kinefile {
 namespace {
 
-/// How long a tick is: 1/60 s, or what the servo map, the project or the caller says.
+/// The length of a tick: 1/60 s, or the value of the servo map, the project or the caller.
 double tick_seconds_of(const RunSettings& settings) {
   constexpr double kSixtieth = 16667;  // in microseconds, rounded
   if (settings.tick_us) return *settings.tick_us == kSixtieth ? 1.0 / 60 : *settings.tick_us * 1e-6;
@@ -20,7 +20,7 @@ double tick_seconds_of(const RunSettings& settings) {
   return settings.servo_map ? settings.servo_map->tick_seconds : 1.0 / 60;
 }
 
-/// How many ticks begin within some seconds.
+/// The number of ticks that begin within a time.
 std::uint64_t ticks_within(double seconds, double tick_seconds) {
   const double ticks = std::ceil(seconds / tick_seconds - 1e-9);
   return static_cast<std::uint64_t>(std::min(std::max(ticks, 0.0), 1e15));
@@ -44,8 +44,8 @@ flow::RunOptions options_of(const RunSettings& settings, double tick_seconds) {
   return options;
 }
 
-/// The same map for a robot whose links are called otherwise than its joints: entries that name a
-/// joint name its link.
+/// The same map for a robot whose links and joints have different names: entries that name a joint
+/// get the name of its link.
 ServoMap with_link_names(ServoMap map, const Document& robot) {
   const std::vector<Joint>& joints = skeleton_of(robot).joints;
   for (ServoMapEntry& entry : map.entries) {
@@ -60,7 +60,7 @@ ServoMap with_link_names(ServoMap map, const Document& robot) {
   return map;
 }
 
-/// A document with what was made, if it was.
+/// A document with the result, if there is one.
 template <class Made>
 Result<Document> document_with(Result<Made> made) {
   if (!made) return fail(std::move(made.error()));
@@ -69,7 +69,7 @@ Result<Document> document_with(Result<Made> made) {
   return document;
 }
 
-/// The joints of the map, out of a motion, or a body motion and its robot.
+/// The joints of the map, from a motion, or from a body motion and its robot.
 /// \param map  with the names of links
 Result<servo::JointTrajectory> trajectory_in(const Document& document, const ServoMap& map,
                                              const Document* robot, Diagnostics& diagnostics) {

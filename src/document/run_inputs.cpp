@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person and sensors do while a flow runs, from a table.
+// The actions of a person and of sensors while a flow runs, from a table.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace kinefile {
 namespace {
 
-/// A cell without quotes and blanks around it, and where it starts.
+/// A cell without the quotes and blanks around it, and where it starts.
 struct InputCell {
   std::string text;
   const char* at = nullptr;
@@ -26,14 +26,14 @@ InputCell trimmed(const text::CsvField& field) {
   return {field.text.substr(begin, std::max(begin, end) - begin), field.at + begin};
 }
 
-/// What a column of the table is.
+/// The meaning of a column of the table.
 struct InputColumn {
   enum Kind { Tick, Held, Variable } kind = Tick;
   std::size_t variable = 0;
   bool operator==(const InputColumn&) const = default;
 };
 
-/// The column that a word of the header names, or nothing.
+/// The column that a word of the header names, or empty.
 std::optional<InputColumn> column_named(std::string_view word) {
   if (word == "tick") return InputColumn{InputColumn::Tick, 0};
   if (word == "held") return InputColumn{InputColumn::Held, 0};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRunPieceSize = 1 << 16;
 
-/// A time of a flow; ticks of 1/60 s give what 60 divides.
+/// A time of a flow. With ticks of 1/60 s it is the tick divided by 60.
 double seconds_of(std::uint64_t tick, double tick_seconds) {
   const auto ticks = static_cast<double>(tick);
   const double rate = std::round(1 / tick_seconds);
@@ -95,7 +95,7 @@ struct RunWriter {
   }
 };
 
-/// What a step did, beyond its block's kind and name.
+/// The effect of a step, besides its block's kind and name.
 std::string deed_of(const PoseFlow& flow, const flow::Step& step, const flow::RunOptions& options) {
   const Block& block = flow.blocks[step.block];
   if (const auto* pose = std::get_if<PoseBlock>(&block.body)) {

@@ -5,7 +5,7 @@
 
 namespace kinefile {
 
-/// What a source gives; null where there is no source.
+/// The document of a source; null if there is no source.
 /// \errors those of the source
 inline Result<std::shared_ptr<const Document>> document_of(const DocumentSource& source,
                                                            Diagnostics& diagnostics) {
@@ -13,8 +13,8 @@ inline Result<std::shared_ptr<const Document>> document_of(const DocumentSource&
   return source(diagnostics);
 }
 
-/// The same of a source that is to give a robot or a figure.
-/// \errors those of the source; DOC001 (Usage) if what it gives has no skeleton
+/// The document of a source that must give a robot or a figure.
+/// \errors those of the source; DOC001 (Usage) if its document has no skeleton
 inline Result<std::shared_ptr<const Document>> model_of(const DocumentSource& source,
                                                         Diagnostics& diagnostics) {
   auto model = document_of(source, diagnostics);

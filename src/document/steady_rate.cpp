@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames that have times of their own, for formats that have no place for such times.
+// Frames that have times of their own, for formats that cannot store such times.
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ void tell_rate(const Format& format, const SteadyRate& rate, Diagnostics& diagno
           rate.holds_times ? "" : ", by their median step: no usual rate holds them all"));
 }
 
-/// The rate for components of which some have times of their own: the main one's where it has one,
-/// else one for all times together.
+/// The rate for components of which some have times of their own: that of the main component if it
+/// has one, otherwise one rate for all times together.
 Result<SteadyRate> rate_of_components(const BodyMotion& body) {
   const Component& main = *main_component(body);
   const FrameTimes* own = std::get_if<FrameTimes>(&main.timeline.given);
@@ -39,7 +39,7 @@ Result<SteadyRate> rate_of_components(const BodyMotion& body) {
   return retime::rate_for({all, 0});
 }
 
-/// When the first frame happens of those that begin before others.
+/// The time of the earliest first frame.
 double start_of(const BodyMotion& body) {
   double start = std::numeric_limits<double>::infinity();
   for (const Component& component : body.components) {

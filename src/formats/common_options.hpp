@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that several formats have in common, for their tables.
+// Options that several formats share, for their tables.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ namespace kinefile::options {
 inline constexpr std::string_view kEncodings[] = {"utf-8", "utf-16le", "utf-16be", "latin-1",
                                                   "cp932"};
 
-/// Metres in one unit of length, from a word or a number; nothing for another text.
+/// Metres in one unit of length, from a word or a number; empty for another text.
 inline std::optional<double> metres_of(std::string_view unit) {
   if (unit == "m") return 1.0;
   if (unit == "cm") return 0.01;

@@ -14,17 +14,17 @@
 
 namespace kinefile {
 
-/// Reads a document by `read_alone(bytes, options, diagnostics)`, to which the diagnostics of other
-/// files are not shown: it fails if there are errors, and those are of this file.
+/// Reads a document with `read_alone(bytes, options, diagnostics)`. That function does not see the
+/// diagnostics of other files; the reading fails if this file has errors.
 template <class Read>
 Result<Document> read_with_own_diagnostics(const Read& read_alone, std::string_view bytes,
                                            const ReadOptions& options, Diagnostics& diagnostics) {
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
   Result<Document> document = read_alone(bytes, options, own);
-  // What ended the reading may be a fault of the bytes as such, which nobody noted.
+  // The error may be a fault of the bytes themselves, which is not in the diagnostics yet.
   if (!document && !own.has_errors()) own.add(document.error());
-  // A warning may have become an error after the last look at them.
+  // A warning may have become an error after the last check.
   if (document && own.has_errors()) document = fail(own.first_error());
   diagnostics.append(std::move(own));
   return document;
@@ -45,7 +45,7 @@ struct TextLayout {
   std::string_view line_end = "lf";  ///< "lf", "crlf" or "cr"
 };
 
-/// \param view  of the text, without what stands behind its end
+/// \param view  of the text, without anything after its end
 inline TextLayout layout_of(const text::DecodedText& decoded, std::string_view view) {
   return {decoded.description(), text::line_end_of(view)};
 }
@@ -54,7 +54,7 @@ inline TextLayout layout_of(const text::DecodedText& decoded) {
   return layout_of(decoded, decoded.view());
 }
 
-/// The characters that are written for it: "\r\n" or "\n".
+/// The characters of the line end: "\r\n" or "\n".
 inline std::string_view line_end_of(const TextLayout& layout) {
   return layout.line_end == "crlf" ? "\r\n" : "\n";
 }
@@ -71,7 +71,7 @@ inline std::vector<Fact> facts_of_layout(const Document& document) {
   return kept == nullptr ? std::vector<Fact>() : facts_of(*kept);
 }
 
-/// \param name  the format's, which has no place for times of single frames
+/// \param name  the name of the format, which cannot store times of single frames
 /// \errors `code` (DataLoss) if frames have times of their own
 inline Result<void> expect_steady(const Clip& clip, const char* code, std::string_view name) {
   if (clip.num_frames == 0 || !has_own_times(clip.timeline)) return {};

@@ -31,7 +31,7 @@ inline std::vector<PoseRow> pose_rows(const PoseTable& table) {
   return rows;
 }
 
-/// Where a line's point lies: three numbers in `poses`.
+/// The point of a line: three numbers in `poses`.
 inline const double* point_of(const PoseArrays& poses, std::size_t frame, const PoseRow& row) {
   return row.is_tip ? &poses.tips[(frame * poses.num_tips + row.point) * 3]
                     : &poses.positions[(frame * poses.num_joints + row.point) * 3];

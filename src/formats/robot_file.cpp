@@ -12,10 +12,11 @@
 namespace kinefile::robot_file {
 namespace {
 
-/// How far a length may be from 1 for nobody to be told. A wrong seventh digit moves nothing.
+/// How far a length may be from 1 without a message. An error in the seventh digit has no visible
+/// effect.
 constexpr double kUnitTolerance = 1e-6;
 
-/// Joint ids may leave out so many. An id is a claim of a column, not a reason to make millions.
+/// The largest number of missing joint ids. A single large id must not create millions of columns.
 constexpr std::size_t kMostLeftOut = 4096;
 
 constexpr std::size_t kNumRootColumns = 7;
@@ -91,7 +92,8 @@ class Tree {
     const auto missed = std::find(is_reached.begin(), is_reached.end(), false);
     if (missed == is_reached.end()) return;
     auto l = static_cast<std::size_t>(missed - is_reached.begin());
-    // The link may only hang on the circle: as many steps upwards end in the circle itself.
+    // The link may only be attached to the circle. After this many steps upwards we are in the
+    // circle itself.
     for (std::size_t step = 0; step < robot_.links.size(); ++step) l = parents_[l];
     error(robot_.links[l].parent_spot, codes_.circle,
           fmt::format("expected a tree, found that {} is among its own parents",
@@ -108,7 +110,7 @@ class Tree {
   std::vector<std::size_t> order_;
 };
 
-/// Counts the columns of joint ids; nothing after an error. An id that stands twice is told.
+/// Counts the columns of joint ids; empty after an error. A repeated id is reported.
 std::optional<std::size_t> count_ids(const Robot& robot, const std::vector<std::size_t>& order,
                                      const Codes& codes, Diagnostics& diagnostics) {
   const std::size_t most = kMostLeftOut + robot.links.size();
@@ -141,7 +143,7 @@ bool moves(const Link& link) {
   return link.type == JointType::Revolute || link.type == JointType::Prismatic;
 }
 
-/// The axis of a joint, of unit length; nothing after an error.
+/// The axis of a joint, of unit length; empty after an error.
 std::optional<Vec3> axis_of(const Link& link, const Codes& codes, Diagnostics& diagnostics) {
   auto unit = unit_of(link.axis);
   if (!unit) {
@@ -177,7 +179,7 @@ Joint joint_of(const Link& link, bool is_root) {
   return joint;
 }
 
-/// \param column  that of the link's id, or of its own
+/// \param column  the column of the link's id, or its own column
 DegreeOfFreedom dof_of(const Robot& robot, const Link& link, const Vec3& axis, std::size_t column) {
   DegreeOfFreedom dof;
   dof.kind = link.type == JointType::Revolute ? DofKind::Rotation : DofKind::Translation;
@@ -197,7 +199,7 @@ DegreeOfFreedom dof_of(const Robot& robot, const Link& link, const Vec3& axis, s
   return dof;
 }
 
-/// The columns of the root and, one for each, of the joint ids: all the root's at first.
+/// The columns of the root, and one for each joint id; at first all belong to the root.
 std::vector<Coordinate> columns_of_ids(std::size_t num_ids) {
   std::vector<Coordinate> columns;
   for (const char* channel : {"x", "y", "z", "qw", "qx", "qy", "qz"}) {
@@ -207,8 +209,8 @@ std::vector<Coordinate> columns_of_ids(std::size_t num_ids) {
   return columns;
 }
 
-/// The column of a link's joint, which is made if it has no id; none for the root without an id and
-/// for a fixed one.
+/// The column of a link's joint; a new one if the joint has no id. None for a root without an id
+/// and for a fixed joint.
 std::optional<std::size_t> column_of(const Link& link, std::size_t joint, Skeleton& skeleton,
                                      std::vector<bool>& is_taken) {
   if (!link.joint_id) {
@@ -222,7 +224,7 @@ std::optional<std::size_t> column_of(const Link& link, std::size_t joint, Skelet
   return column;
 }
 
-/// Lets joints of one id rest alike: as the last of them does.
+/// Gives joints with the same id the same rest value: that of the last of them.
 void agree_at_rest(Skeleton& skeleton) {
   const std::vector<double> rest = rest_coordinates(skeleton);
   for (Joint& joint : skeleton.joints) {
@@ -237,7 +239,7 @@ void agree_at_rest(Skeleton& skeleton) {
 std::optional<Vec3> unit_of(const Vec3& vector) {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (largest == 0) return std::nullopt;
-  const Vec3 scaled = vector / largest;  // squares of what is left neither overflow nor vanish
+  const Vec3 scaled = vector / largest;  // the squares then neither overflow nor underflow
   return Vec3(scaled / scaled.norm());
 }
 

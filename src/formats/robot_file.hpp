@@ -14,7 +14,7 @@
 #include "kinefile/format.hpp"
 #include "text/source.hpp"
 
-// What the formats of robot models have in common: a list of links, of which a skeleton is made.
+// The common part of the formats of robot models: a list of links, from which a skeleton is made.
 namespace kinefile::robot_file {
 
 enum class JointType {
@@ -22,7 +22,7 @@ enum class JointType {
   Free,
   Revolute,
   Prismatic,
-  ContinuousTrack,  ///< a crawler that is no more than a moving surface: it stays in its place
+  ContinuousTrack,  ///< a crawler that is only a moving surface: its joint does not move
 };
 
 /// A place in one of the texts that a robot is read from.
@@ -38,13 +38,14 @@ struct Spot {
 
 /// How a joint follows another one: its value is gain * the other's + shift.
 struct Follows {
-  std::size_t link = 0;  ///< which hangs on the other joint; it moves and follows none
+  std::size_t link =
+      0;  ///< the link below the other joint, which moves and does not follow another
   double gain = 1;
   double shift = 0;
 };
 
-/// A link and the joint that it hangs on, as a file has them; angles in radians, lengths in metres.
-/// All numbers are finite but for limits.
+/// A link and the joint above it, as in the file; angles in radians, lengths in metres. All numbers
+/// except limits are finite.
 struct Link {
   std::string name;
   std::string parent;  ///< the name of another link; empty: none
@@ -54,24 +55,24 @@ struct Link {
   Vec3 axis = Vec3::UnitZ();  ///< in the link's frame, of any length
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();  ///< of unit length
-  double rest = 0;                   ///< the joint's value at first
+  double rest = 0;                   ///< the joint's initial value
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
   std::optional<Follows> follows;
   Spot spot;                  ///< of its name
-  Spot parent_spot;           ///< of its parent's name, or where that might stand
-  Spot axis_spot, id_spot{};  ///< of what the file says
+  Spot parent_spot;           ///< of its parent's name, or where that name belongs
+  Spot axis_spot, id_spot{};  ///< of the values in the file
 };
 
-/// Links in the order of declaration, which is that of children.
+/// Links in the order of declaration, which is also the order of children.
 struct Robot {
   std::string name;
   std::vector<Link> links;
   std::size_t root = 0;  ///< an index into `links`
 };
 
-/// The codes by which a format tells what is wrong with a robot.
+/// The codes with which a format reports the faults of a robot.
 struct Codes {
   const char* too_many_links;
   const char* repeated_name;
@@ -82,41 +83,42 @@ struct Codes {
   const char* not_unit_length;
 };
 
-/// How many links a robot may have. Files can say many in few words.
+/// The largest number of links of a robot. A short file can describe very many.
 inline constexpr std::size_t kMostLinks = 10'000;
 
-/// The vector of unit length along another one; nothing if that is zero.
+/// The unit vector along another vector; empty if that is zero.
 std::optional<Vec3> unit_of(const Vec3& vector);
 
-/// A rotation about an axis, which is zero for none.
+/// A rotation about an axis; the identity if the axis is zero.
 /// \param angle  in radians
 Quat rotation_about(const Vec3& axis, double angle);
 
 /// What a document keeps of a robot's file.
 struct KeptFile {
   TextLayout text;
-  std::size_t num_joint_ids = 0;  ///< the columns of joint ids, behind those of the root
+  std::size_t num_joint_ids = 0;  ///< the columns of joint ids, after those of the root
 };
 
-/// Keeps the layout of the file that was named, for a document of a robot.
+/// Keeps the layout of the file that was read, in the document of a robot.
 void keep_layout(Document& document, const TextLayout& text);
 
 /// The layout of the file and the name of the robot.
 std::vector<Fact> facts(const Document& document);
 
-/// Makes a document of a robot: its links in depth-first order, children in the order of
-/// declaration, the root moving freely; columns for the root's pose, for the joint ids from 0 on
-/// and for the joints that have none. A joint that follows another reads that one's column; the
-/// column of its own id is there and read by nothing (see `following_columns`).
+/// Makes a document from a robot: its links in depth-first order, children in the order of
+/// declaration; the root moves freely. There are columns for the root's pose, for the joint ids
+/// from 0 up, and for the joints without an id. A joint that follows another reads the other's
+/// column; nothing reads the column of its own id (see `following_columns`).
 /// \param format  the document's
-/// \returns       nothing after errors, which are in `diagnostics`
-/// Source: Choreonoid 2.5 (LinkTraverse, Body::updateLinkTree), whose order of joint values it is.
+/// \returns       empty after errors, which are in `diagnostics`
+/// Source: Choreonoid 2.5 (LinkTraverse, Body::updateLinkTree), which has the same order of joint
+/// values.
 std::optional<Document> document_of(const Robot& robot, std::string_view format, const Codes& codes,
                                     Diagnostics& diagnostics);
 
 /// Reads a robot that one text describes.
-/// \param parse  the format's; nothing after errors
-/// \errors the first of those that are in `diagnostics` then
+/// \param parse  the parser of the format; its result is empty after errors
+/// \errors the first error in `diagnostics`
 Result<Document> read_text(std::optional<Robot> (*parse)(const text::Source&, Diagnostics&),
                            std::string_view format, const Codes& codes, std::string_view bytes,
                            const ReadOptions& options, Diagnostics& diagnostics);

@@ -23,11 +23,11 @@ using text::yaml::Node;
 using text::yaml::NodeKind;
 
 constexpr int kLowestWord = -32768, kHighestWord = 32767;
-/// What editors write for a sixtieth of a second, in microseconds.
+/// The value that editors write for a sixtieth of a second, in microseconds.
 constexpr double kSixtieth = 16667;
 constexpr double kMicroseconds = 1e6;
 
-/// Until it is known.
+/// The slider is not known yet.
 constexpr std::size_t kNoSlider = std::numeric_limits<std::size_t>::max();
 
 /// The range of a number in a map.
@@ -38,13 +38,13 @@ struct Range {
 
 constexpr Range kWordRange = {kLowestWord, kHighestWord};
 
-/// A node as a message may show it.
+/// A node in the form for a message.
 std::string shown(const Node& node) {
   if (node.kind != NodeKind::Scalar) return "a list or mapping";
   return node.text.empty() ? "nothing" : text::quoted(node.text);
 }
 
-/// Reads a map out of a tree; goes on after faults, so that all of them are told.
+/// Reads a map from a tree; continues after faults, so that all are reported.
 class MapReader {
  public:
   MapReader(const text::Source& source, Diagnostics& diagnostics)
@@ -87,7 +87,7 @@ class MapReader {
     }
   }
 
-  /// A number of a range; tells what is wrong with it.
+  /// A number within a range; reports why it is not valid.
   std::optional<double> number(const Node& node, std::string_view what, Range range) {
     const text::Number found = text::parse_number(node.text);
     const bool is_good = node.is_plain() && found.fault == text::NumberFault::None &&

@@ -8,10 +8,10 @@
 namespace kinefile {
 namespace {
 
-/// How near a rate is to a whole one that it stands for, and a first time to 0, in its parts.
+/// The relative tolerance within which a rate is read as a whole number, and a first time as 0.
 constexpr double kWhole = 1e-4;
 
-/// The times of a table, which go up; empty after an error.
+/// The times of a table, which increase; empty after an error.
 std::optional<std::vector<double>> times_of(const text::Source& source, const TableRows& rows,
                                             const char* code, Diagnostics& diagnostics) {
   std::vector<double> times;
@@ -28,7 +28,7 @@ std::optional<std::vector<double>> times_of(const text::Source& source, const Ta
   return times;
 }
 
-/// Whether times are as far apart as a rate has it, to what a few digits leave of them.
+/// Whether times have equal distances of one period, within the rounding of a few digits.
 bool are_steady(const std::vector<double>& times, double period) {
   constexpr double kLoose = 1e-3;  // of a period
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -38,8 +38,8 @@ bool are_steady(const std::vector<double>& times, double period) {
   return true;
 }
 
-/// Whether times are those of frames that follow each other, to the last digit of each.
-/// \param most  how far a time may lie from its frame, in periods
+/// Whether times are those of consecutive frames, to the last digit of each.
+/// \param most  how far a time may be from its frame, in periods
 bool are_rounded(const std::vector<double>& times, double rate, double most) {
   const auto first = frame_that_holds(times.front(), rate);
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -50,7 +50,7 @@ bool are_rounded(const std::vector<double>& times, double rate, double most) {
   return true;
 }
 
-/// The rate of two times or more, where they have one.
+/// The rate of two or more times, if they have one.
 std::optional<double> rate_of(const std::vector<double>& times) {
   constexpr double kLeastRate = 1e-9, kGreatestRate = 1e9;
   const double period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);

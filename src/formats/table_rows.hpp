@@ -18,17 +18,17 @@ struct TableRows {
   std::vector<const char*> starts;
 };
 
-/// The codes of what `timeline_of_rows` says.
+/// The codes of the messages of `timeline_of_rows`.
 struct TableTimeCodes {
   const char* not_rising;  ///< an error: a time that is not above the one before, or not finite
   const char* no_rate;     ///< a note: fewer than two rows
-  const char* late_start;  ///< a note: the first time is not 0, and times count from 0
+  const char* late_start;  ///< a note: the first time is not 0; times are counted from 0
 };
 
-/// The rate that a table's times tell, a whole one where it is within a ten-thousandth of it or
-/// where the times are its frames' rounded to their last digits; the times themselves where they
-/// are at no steady rate. Empty after an error. \param fps  what the caller says it is; the times
-/// then count no more
+/// The rate from a table's times. It is a whole number if it is within a ten-thousandth of one, or
+/// if the times are those of its frames rounded to their last digits. Without a steady rate, the
+/// times themselves. Empty after an error.
+/// \param fps  the rate that the caller specifies; then the times are not used
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,
                                          Diagnostics& diagnostics);

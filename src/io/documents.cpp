@@ -12,7 +12,7 @@
 namespace kinefile {
 namespace {
 
-/// How much of a file is looked at to tell its format.
+/// How many bytes of a file are used to detect its format.
 constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
 std::string names_of_formats(bool (*is_wanted)(const Format&)) {
@@ -25,7 +25,7 @@ std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   return names;
 }
 
-/// Reads the skeleton that the caller named, once its motion asks for one.
+/// Reads the skeleton that the caller named, when a motion needs it.
 Result<void> read_skeleton(const std::string& path, ReadOptions& options,
                            Diagnostics& diagnostics) {
   ReadOptions skeleton_options;
@@ -47,7 +47,8 @@ std::string companion_path(const std::string& path, const Format& format) {
   return (has_extension ? path.substr(0, dot) : path) + std::string(format.extensions.front());
 }
 
-/// Of a set of files that is named by its stem, the first one that there is; else the name itself.
+/// If the name is the stem of a set of files, the first existing file of the set; otherwise the
+/// name itself.
 std::string path_in_set(const std::string& name, const Format& format) {
   std::error_code fault;
   if (format.write_set == nullptr || std::filesystem::is_regular_file(name, fault)) return name;
@@ -66,8 +67,8 @@ std::string stem_of_set(const std::string& path, const Format& format) {
   return path;
 }
 
-/// What a writer returned, or what went wrong with a file: that says more than that the writer was
-/// stopped.
+/// The result of a writer, or the fault of a file, which is more informative than the fact that the
+/// writer was stopped.
 Result<void> with_fault(Result<void> written, const OutputFiles& files) {
   if (written || written.error().kind != ErrorKind::Io) return written;
   auto fault = files.fault();
@@ -140,7 +141,7 @@ Result<void> write_set(const std::string& path, const Document& document, const 
   for (const std::string_view part : format.extensions) {
     const std::string name = stem + std::string(part);
     if (names.contains(name) || !files.exists(name)) continue;
-    // It would be read as part of the set. It is not for us to delete.
+    // It would be read as part of the set, and we must not delete it.
     return fail(make_error(ErrorKind::Io, "FMT007",
                            "the file is there and would be read as part of the set, which has "
                            "none such; move it away, or name another stem",
@@ -149,8 +150,8 @@ Result<void> write_set(const std::string& path, const Document& document, const 
   return {};
 }
 
-/// Writes the file that belongs to another one, the skeleton of an AMC file, and tells its name. It
-/// is for the skeleton alone, as a document of its own.
+/// Writes the file that belongs to another one, such as the skeleton of an AMC file, and reports
+/// its name. It holds only the skeleton, as a separate document.
 Result<void> write_companion(const std::string& path, const Document& document,
                              const Format& format, WriteOptions& options, const OutputFiles& files,
                              Diagnostics& diagnostics) {
@@ -204,7 +205,7 @@ Result<void> write(const std::string& name, const Document& document, const Form
     }
     if (written) written = write_one(name, document, format, with_companion, files, diagnostics);
   }
-  // Under --strict a warning of a writer is an error, and the file does not come into being.
+  // With --strict a warning of a writer is an error, and the file is not created.
   if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
   return written;
 }

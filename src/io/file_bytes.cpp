@@ -35,12 +35,13 @@ Error changed(const std::string& path) {
                     path);
 }
 
-/// Reads to the end, in blocks, each to where it stays. Nothing after a fault, which is in errno.
-/// \param likely_size  how many bytes there are, as far as is known
+/// Reads to the end, in blocks, each directly to its final place. Empty after a fault, which is in
+/// errno.
+/// \param likely_size  the expected number of bytes
 std::optional<Array<char>> read_all(int descriptor, std::size_t likely_size) {
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   Array<char> bytes;
-  bytes.reserve(likely_size + 1);  // one more shows the end without another block
+  bytes.reserve(likely_size + 1);  // one more byte detects the end without another block
   while (true) {
     const std::size_t old_size = bytes.size();
     const std::size_t wanted =
@@ -63,7 +64,7 @@ Result<FileBytes> FileBytes::open(const std::string& path) {
   const std::size_t size = has_size ? static_cast<std::size_t>(status.st_size) : 0;
   auto read = read_all(file.number, size);
   if (!read) return fail(cannot_read(path, errno));
-  // What was read of a file that became shorter meanwhile is neither the old nor the new one.
+  // If the file became shorter during reading, the bytes are neither the old nor the new content.
   if (read->size() < size) return fail(changed(path));
   FileBytes bytes;
   bytes.bytes_ = std::make_shared<const Array<char>>(std::move(*read));

@@ -40,7 +40,7 @@ Error exists(const std::string& path) {
   return make_error(ErrorKind::Io, "IO002", "the file exists; --force replaces it", path);
 }
 
-/// The file that a link leads to, so that the rename replaces the file and not the link.
+/// The target of a link, so that the rename replaces the file and not the link.
 std::string resolved(const std::string& path) {
   char* real = ::realpath(path.c_str(), nullptr);
   if (real == nullptr) return path;
@@ -49,8 +49,8 @@ std::string resolved(const std::string& path) {
   return target;
 }
 
-/// Creates a file of a name that nothing has yet, with the rights that the system gives new files.
-/// \returns its descriptor, and -1 after a fault, which is in errno
+/// Creates a file with an unused name, with the system's default rights for new files.
+/// \returns its descriptor; -1 after a fault, which is in errno
 int create_temporary(const std::string& path, std::string& name) {
   static std::atomic<unsigned> num_made{0};
   constexpr int kMostTries = 1000;
@@ -68,7 +68,7 @@ void keep_rights(int descriptor, const std::string& path) {
   if (::stat(path.c_str(), &status) == 0) ::fchmod(descriptor, status.st_mode & 0777);
 }
 
-/// Makes a rename last: the folder that holds the name is written out, too.
+/// Makes a rename permanent: also syncs the folder that contains the name.
 void sync_folder(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
@@ -98,7 +98,7 @@ Result<OutputFile> OutputFile::create(const std::string& path, bool replace) {
     state->descriptor = STDOUT_FILENO;
     return OutputFile(std::move(state));
   }
-  if (is_special_file(path)) {  // a device or a pipe takes bytes as they come
+  if (is_special_file(path)) {  // a device or a pipe is written directly
     state->descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (state->descriptor < 0) return fail(cannot_write(path, errno));
     return OutputFile(std::move(state));
@@ -135,7 +135,7 @@ Result<void> OutputFile::commit() {
   if (state.fault != 0) return fault();
   if (state.temporary.empty()) return {};
   if (::fsync(state.descriptor) != 0) return fail(cannot_write(state.path, errno));
-  // A link made in one step fails where the name has been taken since, which a rename would not.
+  // Creating a link fails atomically if the name exists by now; a rename would replace the file.
   if (!state.may_replace) {
     if (::link(state.temporary.c_str(), state.path.c_str()) == 0) {
       sync_folder(state.path);

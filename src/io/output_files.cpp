@@ -14,8 +14,8 @@ struct DiskFile {
   OutputFile file;
 };
 
-/// Brings files to their names. Where one cannot be, those before it do not stay, unless they
-/// replaced others.
+/// Gives files their final names. If one fails, those before it are removed, unless they replaced
+/// others.
 Result<void> commit_all(std::vector<std::unique_ptr<DiskFile>>& files, bool replace) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     auto committed = files[i]->file.commit();

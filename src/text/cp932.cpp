@@ -13,7 +13,7 @@ constexpr char32_t kNone = 0xFFFD;
 constexpr std::uint8_t kFirstTrail = 0x40;
 constexpr std::uint8_t kLastTrail = 0xFC;
 
-/// Rows of the two-byte part of code page 932, by lead byte 81..9F, E0..FC.
+/// The rows of the two-byte part of code page 932, by lead byte 81..9F, E0..FC.
 constexpr const char16_t* kCp932[] = {
 #include "text/cp932_table.inc"
 };

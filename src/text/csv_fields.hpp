@@ -14,7 +14,7 @@ struct CsvField {
   const char* at = nullptr;
 };
 
-/// Goes over a table, field by field, as RFC 4180 has it. Lines end with LF, CRLF or CR.
+/// Reads a table field by field, as in RFC 4180. Lines end with LF, CRLF or CR.
 class CsvFields {
  public:
   explicit CsvFields(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
@@ -22,20 +22,20 @@ class CsvFields {
   bool is_at_end() const { return next_ == end_; }
   const char* position() const { return next_; }
 
-  /// Takes the fields of one record, which may hold line ends in quotes.
+  /// Consumes the fields of one record, which may contain line ends in quotes.
   std::vector<CsvField> take_record();
-  /// Takes one field and leaves what separates it.
+  /// Consumes one field, but not its separator.
   CsvField take_field();
-  /// The text of a field without quotes and without blanks around it, without a copy; null where
-  /// there are quotes.
+  /// Consumes a field without quotes: its text without blanks around it, not copied. Empty, and
+  /// nothing is consumed, if there are quotes.
   std::optional<std::string_view> take_plain();
-  /// Where quotes are not as they should be: one that is never closed, or what follows a closed
-  /// one; null if there is nothing of the kind so far.
+  /// The place of a fault with quotes: a quote that is never closed, or text after a closed one;
+  /// null if there is no fault so far.
   const char* fault() const { return fault_; }
 
-  /// Takes a comma if one follows.
+  /// Consumes a comma if one follows.
   bool take_comma();
-  /// Takes a line end if one follows; true at the end of the text, too.
+  /// Consumes a line end if one follows; true at the end of the text, too.
   bool take_line_end();
 
  private:

@@ -50,8 +50,8 @@ std::size_t utf8_length(std::string_view bytes, std::size_t i) {
   return 0;
 }
 
-/// Where the bytes stop being UTF-8, or their size. Eight ASCII bytes are passed at a time, since
-/// nearly all of a motion file is digits.
+/// The length of the valid UTF-8 prefix. Eight ASCII bytes are checked at a time, because nearly
+/// all of a motion file is digits.
 std::size_t valid_utf8_prefix(std::string_view bytes) {
   constexpr std::uint64_t kHighBits = 0x8080808080808080u;
   std::size_t i = 0;
@@ -69,7 +69,7 @@ std::size_t valid_utf8_prefix(std::string_view bytes) {
   return bytes.size();
 }
 
-/// Offsets in the decoded text of what could not be decoded.
+/// Offsets in the decoded text of bytes that could not be decoded.
 using BadPlaces = std::vector<std::size_t>;
 
 void append_bad(std::string& out, BadPlaces& bad) {
@@ -144,8 +144,8 @@ Detected detect_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) return {"utf-8", 3};
   if (bytes.starts_with("\xFF\xFE")) return {"utf-16le", 2};
   if (bytes.starts_with("\xFE\xFF")) return {"utf-16be", 2};
-  // No motion format starts with a character beyond ASCII, so one zero byte in the first pair
-  // shows UTF-16 without a mark.
+  // Every motion format starts with an ASCII character, so one zero byte in the first pair means
+  // UTF-16 without a mark.
   if (bytes.size() >= 4 && bytes[0] != 0 && bytes[1] == 0 && bytes[3] == 0) return {"utf-16le"};
   if (bytes.size() >= 4 && bytes[0] == 0 && bytes[1] != 0 && bytes[2] == 0) return {"utf-16be"};
   return {""};

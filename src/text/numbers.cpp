@@ -17,11 +17,11 @@
 namespace kinefile::text {
 namespace {
 
-/// What a number of a row ends at, and one of a list.
+/// The characters that end a number in a row, and in a list.
 struct Space {
   static constexpr bool has(char c) { return is_blank(c) || is_line_end(c); }
 };
-/// What YAML takes for space; a form feed is no character of it.
+/// The space characters of YAML, which does not allow form feeds.
 struct ListSpace {
   static constexpr bool has(char c) { return c == ' ' || c == '\t' || is_line_end(c); }
 };
@@ -31,22 +31,22 @@ struct ListSpaceOrSeparator {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Powers of ten that a double holds exactly.
+/// The powers of ten that a double holds exactly.
 constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// The digits that a 64-bit number surely holds, and those that a double holds exactly.
+/// The number of digits that a 64-bit integer always holds, and that a double holds exactly.
 constexpr std::ptrdiff_t kMostDigits = 19;
 constexpr std::ptrdiff_t kExactDigits = 15;
 
-/// The fast path is taken where so many bytes can be looked at without checking for the end.
-/// A sign, 20 digits, a point, 20 more digits and the character behind them are 43.
+/// The fast path is used if this many bytes can be read without checking for the end. A sign, 20
+/// digits, a point, 20 more digits and the next character are 43.
 constexpr std::ptrdiff_t kFastBytes = 43;
 
-/// Eight digits at once, as numbers of many digits have them: each step joins neighbours, so that
-/// three multiplications do the work of eight (Lemire, "Quickly parsing eight digits", 2018).
-/// Nothing where not all eight are digits, or bytes have another order.
+/// Reads eight digits at once, for numbers with many digits: each step joins neighbours, so that
+/// three multiplications do the work of eight (Lemire, "Quickly parsing eight digits", 2018). Does
+/// nothing if not all eight are digits, or on machines with another byte order.
 inline bool take_eight_digits(const char* p, std::uint64_t& number) {
   if constexpr (std::endian::native != std::endian::little) return false;
   std::uint64_t bytes = 0;
@@ -63,12 +63,12 @@ inline bool take_eight_digits(const char* p, std::uint64_t& number) {
   return true;
 }
 
-/// Reads what nearly all numbers of motion files look like: a sign, digits, a point, digits, at
-/// most 19 digits in all. With up to 15 such a number is a quotient of two whole numbers that
-/// doubles hold exactly, so that one division rounds it correctly (Clinger, "How to Read Floating
-/// Point Numbers Accurately", 1990); with more, fast_float's arithmetic does (Lemire, "Number
-/// parsing at a gigabyte per second", 2021). Null for any other token.
-/// \param is_long  whether many digits are to be expected; and whether there were many
+/// Reads the form of nearly all numbers in motion files: a sign, digits, a point, digits, at most
+/// 19 digits in total. With up to 15 digits such a number is a quotient of two whole numbers that
+/// doubles hold exactly, so one division rounds it correctly (Clinger, "How to Read Floating Point
+/// Numbers Accurately", 1990); with more, fast_float's arithmetic does (Lemire, "Number parsing at
+/// a gigabyte per second", 2021). Null for any other token.
+/// \param is_long  in: whether many digits are expected; out: whether there were many
 /// Precondition: kFastBytes bytes can be read.
 template <class TokenEnd>
 inline const char* parse_decimal(const char* p, double& value, bool& is_long) {
@@ -92,7 +92,7 @@ inline const char* parse_decimal(const char* p, double& value, bool& is_long) {
   }
   if (!TokenEnd::has(*p) || num_digits == 0 || num_digits > kMostDigits) return nullptr;
   if (num_digits <= kExactDigits) {
-    // The sign by a product and not by a branch, since signs cannot be foreseen.
+    // The sign is applied by a product and not by a branch, because signs are not predictable.
     constexpr double kSigns[] = {1, -1};
     value = static_cast<double>(number) / kPowersOfTen[num_decimals] * kSigns[is_negative];
     is_long = false;
@@ -100,14 +100,14 @@ inline const char* parse_decimal(const char* p, double& value, bool& is_long) {
   }
   const fast_float::adjusted_mantissa bits =
       fast_float::compute_float<fast_float::binary_format<double>>(-num_decimals, number);
-  if (bits.power2 < 0) return nullptr;  // too near the middle between two doubles
+  if (bits.power2 < 0) return nullptr;  // too close to the middle between two doubles
   fast_float::to_float(is_negative, bits, value);
   is_long = true;
   return p;
 }
 
-/// Reads a finite number in plain notation that fills its token. Null where there is none. Words
-/// such as "nan" are left to `parse_number`, since a row of them is worth a diagnostic.
+/// Reads a finite number in plain notation that is the whole token; null if there is none. Words
+/// such as "nan" are left to `parse_number`, because they need a diagnostic.
 template <class TokenEnd>
 inline const char* parse_plain(const char* begin, const char* end, double& value, bool& is_long) {
   if (end - begin >= kFastBytes) {
@@ -119,7 +119,7 @@ inline const char* parse_plain(const char* begin, const char* end, double& value
   return next == end || TokenEnd::has(*next) ? next : nullptr;
 }
 
-/// The spellings of what is not finite, without their sign.
+/// The spellings of values that are not finite, without their sign.
 std::optional<double> parse_special(std::string_view token) {
   static constexpr std::array<std::string_view, 6> kNans = {"nan",     "1.#ind",   "1.#qnan",
                                                             "1.#snan", "nan(ind)", "nan(snan)"};
@@ -151,7 +151,7 @@ Number parse_number(std::string_view token) {
   double value = 0;
   const auto [next, error] = fast_float::from_chars(begin, end, value);
   if (error == std::errc() && next == end) {
-    // The words were read above: what is not finite here is "nan(...)" or too large.
+    // The words were read above: a value that is not finite here is "nan(...)" or too large.
     if (std::isnan(value)) return {0, NumberFault::NotANumber};
     return {value, std::isinf(value) ? NumberFault::OutOfRange : NumberFault::None};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the entries of tables of options are made, and how their words are read.
+// Helpers to make the entries of option tables, and to read their words.
 #pragma once
 
 #include <charconv>
@@ -16,7 +16,7 @@
 
 namespace kinefile::words {
 
-/// The parts of a text between separators; none of an empty text.
+/// The parts of a text between separators; an empty text has none.
 inline std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (!text.empty()) {
@@ -28,7 +28,7 @@ inline std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-/// Reads a whole text as an integer; nothing if it is none.
+/// Reads a whole text as an integer; empty if it is not one.
 template <class Integer>
 std::optional<Integer> integer(std::string_view text) {
   Integer number{};
@@ -37,7 +37,7 @@ std::optional<Integer> integer(std::string_view text) {
   return error == std::errc() && next == end ? std::optional(number) : std::nullopt;
 }
 
-/// Reads a whole text as a finite number; nothing if it is none.
+/// Reads a whole text as a finite number; empty if it is not one.
 inline std::optional<double> finite(std::string_view text) {
   const text::Number number = text::parse_number(text);
   const bool is_good = number.fault == text::NumberFault::None && std::isfinite(number.value);
@@ -49,7 +49,7 @@ inline bool is_within(const OptionInfo& info, double number) {
   return number >= info.least && number <= info.most;
 }
 
-/// Reads the word of an option as a value of some type; nothing if the option does not take it.
+/// Reads the word of an option as a value of some type; empty if the option does not accept it.
 template <class Value>
 std::optional<Value> value_of(const OptionInfo& info, std::string_view word) {
   if constexpr (std::is_same_v<Value, bool>) {
@@ -76,7 +76,8 @@ std::optional<Value> value_of(const OptionInfo& info, std::string_view word) {
   }
 }
 
-/// Reads a word into a member; false, and the member stays, if the option does not take it.
+/// Reads a word into a member; false, and the member is unchanged, if the option does not accept
+/// it.
 template <class Value>
 bool read_into(Value& member, const OptionInfo& info, std::string_view word) {
   auto value = value_of<Value>(info, word);
@@ -84,7 +85,7 @@ bool read_into(Value& member, const OptionInfo& info, std::string_view word) {
   return value.has_value();
 }
 
-/// As above. A part of an operation's word that must stand there may be empty, for none: `trim=:B`.
+/// As above. A required part of an operation's word may be empty, which means no value: `trim=:B`.
 template <class Value>
 bool read_into(std::optional<Value>& member, const OptionInfo& info, std::string_view word) {
   if (word.empty() && info.is_required) {

@@ -25,7 +25,7 @@ void Printer::print(double number) {
 
 void Printer::append(double number) {
   if (std::isnan(number)) {
-    constexpr std::string_view kNan = "nan";  // its sign says nothing, and its spelling varies
+    constexpr std::string_view kNan = "nan";  // its sign has no meaning, and its spelling varies
     buffer_.append(kNan.data(), kNan.data() + kNan.size());
   } else if (decimals_) {
     fmt::format_to(std::back_inserter(buffer_), "{:.{}f}", number, *decimals_);
@@ -77,8 +77,8 @@ std::string csv_field(std::string_view text) {
 
 namespace {
 
-/// The code of a character of several bytes that a text starts with and that YAML does not allow
-/// in a text, or takes for a line's end; 0 for others.
+/// The code of the multi-byte character at the start of a text if YAML does not allow it in a text,
+/// or reads it as a line end; 0 for others.
 unsigned unsafe_in_yaml(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (text.size() >= 2 && byte(0) == 0xC2 && byte(1) < 0xA0) return byte(1);

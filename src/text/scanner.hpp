@@ -7,8 +7,8 @@
 
 namespace kinefile::text {
 
-/// Walks over a text word by word; every word is a view into it. Words end at blanks and line
-/// ends; a brace is a word of its own.
+/// Reads a text word by word; every word is a view into it. Words end at blanks and line ends; a
+/// brace is a separate word.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : next_(text.data()), end_(text.data() + text.size()) {}
@@ -16,18 +16,18 @@ class Scanner {
   const char* position() const { return next_; }
   void move_to(const char* position) { next_ = position; }
 
-  /// The next word, over any number of lines, without taking it; empty at the end of the text.
+  /// The next word, over any number of lines, without consuming it; empty at the end of the text.
   std::string_view peek();
-  /// Takes the next word, over any number of lines; empty at the end of the text.
+  /// Consumes the next word, over any number of lines; empty at the end of the text.
   std::string_view take();
-  /// The next word of this line, without taking it; empty at the end of the line.
+  /// The next word of this line, without consuming it; empty at the end of the line.
   std::string_view peek_in_line();
   std::string_view take_in_line();
-  /// Takes the rest of the line, but not its end, and trims blanks off both its ends.
+  /// Consumes the rest of the line, but not its end, and removes blanks at both ends.
   std::string_view take_line();
   /// As `take_line`, but stops before a brace.
   std::string_view take_name();
-  /// Takes this character if it comes next in the line, after blanks.
+  /// Consumes this character if it is next in the line, after blanks.
   bool take_character(char c);
 
  private:
@@ -39,10 +39,10 @@ class Scanner {
   const char* end_;
 };
 
-/// Whether two words are equal but for the case of ASCII letters.
+/// Whether two words are equal, ignoring the case of ASCII letters.
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 
-/// Whether a word is one of some, but for the case of ASCII letters.
+/// Whether a word is in a list, ignoring the case of ASCII letters.
 bool is_one_of(std::string_view word, std::span<const std::string_view> words);
 
 /// Whether a text starts with a word, ignoring the case of ASCII letters.

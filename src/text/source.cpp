@@ -15,8 +15,8 @@ constexpr std::size_t kExcerptBytes = 100;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// Adds the starts of lines to those that are known, until one lies beyond an offset; behind the
-/// last line stands one beyond all offsets. So a word about the start of a file costs little.
+/// Adds the starts of lines to the known ones, until one is beyond an offset; after the last line
+/// comes one beyond all offsets. So a message about the start of a file is cheap.
 void find_line_starts(std::string_view text, std::size_t offset, std::vector<std::size_t>& starts) {
   if (starts.empty()) starts.push_back(0);
   while (starts.back() <= offset) {
@@ -28,8 +28,8 @@ void find_line_starts(std::string_view text, std::size_t offset, std::vector<std
   }
 }
 
-/// Shows a line, or of a long one the part around a column, cut at the borders of characters.
-/// Looks no further than that part, since a line may be as long as the file.
+/// Shows a line, or the part of a long line around a column, cut between characters. Reads only
+/// that part, because a line may be as long as the file.
 void cut_excerpt(std::string_view from_line_start, std::size_t column, Diagnostic& diagnostic) {
   std::size_t begin = column > kExcerptBytes / 2 ? column - kExcerptBytes / 2 : 0;
   const std::string_view ahead = from_line_start.substr(column, kExcerptBytes + 1);

@@ -10,8 +10,8 @@
 
 namespace kinefile::text {
 
-/// A text and its name. A token is a view into the text, so that its line and column are worked
-/// out only when something is to be said of it.
+/// A text and its name. A token is a view into the text, so its line and column are computed only
+/// for a message.
 class Source {
  public:
   /// \param text  UTF-8, must outlive this
@@ -34,17 +34,17 @@ class Source {
 
   std::string name_;
   std::string_view text_;
-  mutable std::vector<std::size_t> line_starts_;  ///< as far as they were needed
+  mutable std::vector<std::size_t> line_starts_;  ///< as far as needed so far
 };
 
-/// Adds a diagnostic about a place; where there are too many of its kind, only counts it.
+/// Adds a diagnostic about a place; only counts it if there are too many of its kind.
 void report(const Source& source, Diagnostics& diagnostics, Severity severity, std::string code,
             std::string message, const char* position);
 
 /// The line end that a text uses, by its first line: "lf", "crlf" or "cr".
 std::string_view line_end_of(std::string_view text);
 
-/// A token as a message may show it: quoted, control characters escaped, long ones cut; an empty
+/// A token in the form for a message: quoted, control characters escaped, long tokens cut; an empty
 /// one is "the end of the file".
 std::string quoted(std::string_view token);
 

@@ -30,7 +30,7 @@ bool probe_amc(std::string_view head) {
          text::is_one_of(Lexer(head).take(), kKeywords);
 }
 
-/// The skeleton of a motion, and what is kept of its file.
+/// The skeleton of a motion, and the data kept from its file.
 struct Found {
   Skeleton skeleton;
   AsfFile kept;
@@ -45,7 +45,7 @@ Result<Skeleton> forced(const Document& document) {
   return bind(unbound->file, {true, skeleton_of(document).metres_per_unit * length});
 }
 
-/// The skeleton that was read before.
+/// The skeleton that was read earlier.
 Result<Found> skeleton_of_options(const AmcHeader& header, const ReadOptions& options,
                                   Diagnostics& diagnostics) {
   const Document& document = *options.skeleton;
@@ -103,7 +103,7 @@ Timeline timeline_of(const AmcHeader& header, const text::Source& source,
   return {FrameRate{rate}, 0};
 }
 
-/// What is kept of the file for `write`.
+/// The data of the file that is kept for `write`.
 KeptMotion kept_motion(const AmcHeader& header, const AmcBody& body,
                        const std::vector<BoneColumns>& bones, const ReadOptions& options) {
   KeptMotion kept;
@@ -161,7 +161,7 @@ AmcHeading heading_of(const KeptFile& kept, const Motion& motion, const WriteOpt
   heading.other_lines = kept.motion->other_lines;
   heading.bone_order = kept.motion->bone_order;
   heading.first_frame_number = motion.clip.timeline.first_frame_number;
-  // A rate that the file did not say is not put into its mouth, unless it is another one now.
+  // A rate that the file did not specify is written only if it has changed.
   heading.says_rate =
       kept.motion->rate != RateSource::Assumed || frame_rate(motion.clip.timeline) != kUsualRate;
   return heading;

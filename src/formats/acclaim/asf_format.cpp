@@ -27,7 +27,7 @@ bool probe_asf(std::string_view head) {
   return text::is_one_of(Lexer(head).take(), kSections);
 }
 
-/// Says what lengths are taken to be, since no file says it.
+/// Reports the assumed unit of length, because no file specifies it.
 void note_unit(double length, const text::Source& source, Diagnostics& diagnostics) {
   text::report(source, diagnostics, Severity::Note, code::kUnitAssumed,
                fmt::format("lengths divided by {} are taken as inches, which makes a unit {} m; "
@@ -82,7 +82,7 @@ Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& op
   skeleton.file = parse_asf(source, options.lenient, diagnostics);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
   skeleton.text = layout_of(*decoded);
-  // Without a unit in the file there is nothing to assume anything from.
+  // Without a unit in the file no unit can be assumed.
   const auto& length = skeleton.file.length;
   skeleton.metres_per_quotient = options.metres_per_unit.value_or(length ? kMetresPerInch : 0.0);
   if (length && !options.metres_per_unit) note_unit(*length, source, diagnostics);
@@ -100,7 +100,7 @@ Format asf_format() {
   format.facts = facts;
   format.conventions.writes = kAsfWrites;
   format.conventions.has_one_end = true;
-  format.conventions.keeps_times = true;  // it has no frames
+  format.conventions.keeps_times = true;  // an ASF file has no frames
   format.read_options = kAsfReadOptions;
   format.write_options = kAsfWriteOptions;
   return format;

@@ -13,7 +13,7 @@ Mat3 rotation_about(std::size_t axis, double angle, AngleUnit unit) {
   double sine = 0;
   double cosine = 1;
   if (unit == AngleUnit::Degrees) {
-    // Whole quarter turns are taken off first, so that they stay exact.
+    // Whole quarter turns are removed first, so that they stay exact.
     const double quarters = std::nearbyint(std::remainder(angle, 360.0) / 90);
     const double rest = (std::remainder(angle, 360.0) - 90 * quarters) * kRadiansPerDegree;
     const double s = std::sin(rest);
@@ -38,7 +38,7 @@ Mat3 rotation_about(std::size_t axis, double angle, AngleUnit unit) {
 
 Vec3 unit_vector(DofWord word) { return Vec3::Unit(static_cast<Eigen::Index>(axis_of(word))); }
 
-/// What a joint's words mean.
+/// The axes of a joint's words.
 struct WordAxes {
   Mat3 translations = Mat3::Identity();
   Mat3 rotations = Mat3::Identity();
@@ -51,9 +51,9 @@ DegreeOfFreedom dof_of(DofWord word, std::size_t column, const WordAxes& axes) {
   return {DofKind::Translation, axes.translations * unit_vector(word), column, 0};
 }
 
-/// The columns of a joint, one a word, and its degrees of freedom in the order of multiplication:
-/// translations first, then the rotations, of which the first word's is the innermost.
-/// \param limits  a word each; words behind them have none
+/// Adds the columns of a joint, one per word, and its degrees of freedom in the order of
+/// multiplication: translations first, then the rotations, where the first word is the innermost.
+/// \param limits  one per word; further words have none
 void add_dofs(Skeleton& skeleton, std::size_t joint_index, const std::vector<DofWord>& words,
               const std::vector<Limit>& limits, const WordAxes& axes) {
   Joint& joint = skeleton.joints[joint_index];
@@ -78,8 +78,8 @@ void add_dofs(Skeleton& skeleton, std::size_t joint_index, const std::vector<Dof
   joint.dofs.insert(joint.dofs.end(), rotations.begin(), rotations.end());
 }
 
-/// The words of a bone whose values an AMC file with :FORCE-ALL-JOINTS-BE-3DOF has: the rotations
-/// that it lacks stand behind its own.
+/// The words for the values of a bone in an AMC file with :FORCE-ALL-JOINTS-BE-3DOF: the rotations
+/// that it lacks follow its own.
 std::vector<DofWord> forced_dofs(std::vector<DofWord> words) {
   if (words.empty()) return words;
   for (const DofWord word : {DofWord::Rx, DofWord::Ry, DofWord::Rz}) {
@@ -110,7 +110,7 @@ Joint bind_root(const Root& root, AngleUnit unit) {
   return joint;
 }
 
-/// A bone without what holds only as long as its file is there.
+/// A bone without the data that is valid only during parsing.
 Kept kept_bone(Bone bone) {
   bone.at = nullptr;
   bone.parent = kNoParent;
@@ -137,7 +137,7 @@ Vec3 end_of(const Bone& bone) {
 std::vector<std::size_t> parents_first(const AsfFile& file) {
   std::vector<std::size_t> order;
   std::vector<bool> is_placed(file.bones.size(), false);
-  std::vector<std::size_t> chain;  // a bone and its ancestors that have no place yet
+  std::vector<std::size_t> chain;  // a bone and its ancestors that are not placed yet
   for (std::size_t b = 0; b < file.bones.size(); ++b) {
     for (std::size_t above = b; above != kNoParent && !is_placed[above];
          above = file.bones[above].parent) {

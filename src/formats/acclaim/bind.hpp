@@ -11,35 +11,35 @@
 
 namespace kinefile::acclaim {
 
-/// How a skeleton is given its meaning.
+/// How the syntax of a skeleton is interpreted.
 struct BindOptions {
-  bool forces_3dof = false;                     ///< bones that can turn, turn about all three axes
-  double metres_per_quotient = kMetresPerInch;  ///< what lengths divided by the unit of length are
-                                                ///< in; 0: nobody knows
+  bool forces_3dof = false;                     ///< bones that can turn get all three rotations
+  double metres_per_quotient = kMetresPerInch;  ///< the unit of lengths after division by the unit
+                                                ///< of length; 0: unknown
 };
 
-/// The rotation of an orientation: "XYZ" makes Rz Ry Rx. Whole quarter turns are exact.
+/// The rotation of an orientation: "XYZ" gives Rz Ry Rx. Whole quarter turns are exact.
 Mat3 rotation_of(const Orientation& orientation, AngleUnit unit);
 
 /// Where a bone ends, in its own frame, which has the world's axes in the rest pose.
 Vec3 end_of(const Bone& bone);
 
-/// The order in which the model has the bones: that of the file, but parents first.
+/// The order of the bones in the model: that of the file, but parents first.
 std::vector<std::size_t> parents_first(const AsfFile& file);
 
-/// Gives a skeleton its meaning. Joint 0 is the root; the joints behind it are the bones in the
-/// order of `parents_first`. A bone's joint is where it starts, its tip where it ends; it keeps the
-/// `Bone`, and the first one the `Root`. Limits belong to the words of `dof`, one after the other.
+/// Makes the skeleton of an ASF file. Joint 0 is the root; the joints after it are the bones in the
+/// order of `parents_first`. The joint of a bone is at its start, the tip at its end; it keeps the
+/// `Bone`, and joint 0 keeps the `Root`. Limits belong to the words of `dof`, in order.
 Skeleton bind(const AsfFile& file, const BindOptions& options);
 
-/// Takes the angles of the motion to be in a unit that is not the skeleton file's; limits become
-/// the same ones in that.
+/// Sets the unit of the motion's angles, which differs from the skeleton file's; limits are
+/// converted to it.
 void tell_angles_in(AngleUnit unit, Skeleton& skeleton);
 
 /// The columns of the bones that have any.
 std::vector<BoneColumns> columns_of_bones(const Skeleton& skeleton);
 
-/// The ASF form of a skeleton, and how its clip becomes the lines of an AMC file.
+/// The ASF form of a skeleton, and the map from its clip to the lines of an AMC file.
 struct Unbound {
   AsfFile file;
   bool forces_3dof = false;
@@ -47,9 +47,9 @@ struct Unbound {
   std::vector<std::vector<std::size_t>> columns;
 };
 
-/// Finds the ASF form of a skeleton: the opposite of `bind`. What is kept of the file that it was
-/// read from, in `kept` and in its joints, is used as far as it still says the same.
-/// \errors ASF020 (DataLoss) if a joint is or moves in a way that ASF has no words for
+/// Finds the ASF form of a skeleton: the opposite of `bind`. The data from the file that it was
+/// read from, in `kept` and in its joints, is used as far as it is still valid.
+/// \errors ASF020 (DataLoss) if a joint is or moves in a way that ASF cannot express
 Result<Unbound> unbind(const Skeleton& skeleton, const KeptFile& kept);
 
 }  // namespace kinefile::acclaim

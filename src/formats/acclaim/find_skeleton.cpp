@@ -6,7 +6,7 @@
 namespace kinefile::acclaim {
 namespace {
 
-/// A path of any system with forward slashes.
+/// A path of any operating system, with forward slashes.
 std::string with_slashes(std::string path) {
   std::replace(path.begin(), path.end(), '\\', '/');
   return path;
@@ -16,7 +16,7 @@ std::string base_name(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);  // npos + 1 is 0
 }
 
-/// The names that a header's words may mean, beside the motion.
+/// The file names beside the motion that a header may mean.
 std::vector<std::string> hinted_names(const AmcHeader& header) {
   if (header.skeleton_hint.empty()) return {};
   const std::string hint = with_slashes(header.skeleton_hint);

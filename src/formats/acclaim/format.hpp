@@ -13,7 +13,7 @@ Format asf_format();
 /// docs/formats/acclaim.md.
 Format amc_format();
 
-/// A skeleton as a file has it.
+/// A skeleton that was read from a file.
 struct ReadSkeleton {
   AsfFile file;
   TextLayout text;
@@ -24,9 +24,9 @@ struct ReadSkeleton {
 Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& options,
                                    Diagnostics& diagnostics);
 
-/// Finds the skeleton of a motion among the files beside it: the one that its header names; its
-/// own name, shortened at underscores (01.asf for 01_02.amc); the only one that there is.
-/// \param how  out: in words, how it was found
+/// Finds the skeleton of a motion among the files beside it: the one that its header names; the one
+/// with its own name, shortened at underscores (01.asf for 01_02.amc); the only one.
+/// \param how  out: how it was found, as text
 std::optional<CompanionFile> find_skeleton(const AmcHeader& header, const ReadOptions& options,
                                            std::string& how);
 

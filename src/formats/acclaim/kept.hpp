@@ -10,27 +10,28 @@
 
 namespace kinefile::acclaim {
 
-/// What says the frame rate of a motion.
+/// The source of the frame rate of a motion.
 enum class RateSource { Asked, File, Assumed };
 
-/// What is kept of an AMC file.
+/// The data that is kept from an AMC file.
 struct KeptMotion {
   std::string skeleton_name;  ///< of its ASF file
   std::string other_lines;    ///< before the first frame
   bool forces_3dof = false;
   RateSource rate = RateSource::Assumed;
-  std::vector<std::string> bone_order;  ///< the bones that have values, as the first frame has them
+  std::vector<std::string>
+      bone_order;  ///< the bones that have values, in the order of the first frame
 };
 
-/// What a document keeps of an ASF file, or of an AMC file and its ASF file. Joints keep the `Root`
-/// and the `Bone` that they were made of.
+/// The data that a document keeps from an ASF file, or from an AMC file and its ASF file. Joints
+/// keep the `Root` and the `Bone` that they were made from.
 struct KeptFile {
-  TextLayout text;  ///< of the file that was read, of an AMC file not of its skeleton
+  TextLayout text;  ///< of the file that was read; for AMC, not of its skeleton
   AsfFile asf;      ///< without the root and the bones
   std::optional<KeptMotion> motion;
 };
 
-/// What is kept of a skeleton's file.
+/// The part of a skeleton's file that is kept.
 inline AsfFile kept_of(AsfFile file) {
   file.root = {};
   file.bones.clear();
@@ -38,7 +39,7 @@ inline AsfFile kept_of(AsfFile file) {
   return file;
 }
 
-/// What a document keeps of an ASF or AMC file; nothing of others.
+/// The data that a document keeps from an ASF or AMC file; empty for other documents.
 inline KeptFile kept_file_of(const Document& document) {
   const KeptFile* const kept = document.kept.get<KeptFile>();
   return kept != nullptr ? *kept : KeptFile{};

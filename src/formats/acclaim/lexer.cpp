@@ -27,7 +27,7 @@ void Lexer::skip_in_line() {
 std::string_view Lexer::word_here() const {
   const char* word_end = next_;
   while (word_end != end_ && !is_separator(*word_end) && !text::is_line_end(*word_end)) {
-    // Microsoft's C library writes 1.#IND and 1.#INF, which are no comments.
+    // Microsoft's C library writes 1.#IND and 1.#INF, which are not comments.
     if (*word_end == '#' && (word_end == next_ || word_end[-1] != '.')) break;
     ++word_end;
   }
@@ -77,7 +77,7 @@ std::string_view Lexer::take_line() {
 
 std::string_view Lexer::take_lines_to_keyword() {
   const char* begin = next_;
-  const char* last = begin;  // the end of the last line that was taken
+  const char* last = begin;  // the end of the last line that was consumed
   while (next_ != end_) {
     const char* word = std::find_if_not(next_, end_, text::is_blank);
     if (word != end_ && *word == ':') break;

@@ -20,10 +20,10 @@ class Lexer {
   /// The next word of this line; empty at its end.
   std::string_view peek_in_line();
   std::string_view take_in_line();
-  /// Takes the rest of the line as it stands, comments too, but not its end; trims its blanks.
+  /// Consumes the rest of the line unchanged, with comments but without its end; trims its blanks.
   std::string_view take_line();
-  /// Takes whole lines as they stand up to one that starts with `:`, or to the end of the text.
-  /// The line end before it is taken, but left out of the result.
+  /// Consumes whole lines unchanged up to a line that starts with `:`, or to the end of the text.
+  /// The line end before it is consumed, but is not in the result.
   std::string_view take_lines_to_keyword();
 
  private:

@@ -24,7 +24,8 @@ constexpr std::string_view kOmlMark = "#!OML:ASF";
 std::optional<std::int64_t> frame_number(std::string_view token) {
   const bool is_negative = token.starts_with('-');
   const auto count = text::parse_count(token.substr(is_negative ? 1 : 0));
-  constexpr std::size_t kMost = std::size_t{1} << 30;  // frames; a larger number is none of them
+  constexpr std::size_t kMost = std::size_t{1}
+                                << 30;  // frames; a larger number is not a frame number
   if (!count || *count > kMost) return std::nullopt;
   const auto number = static_cast<std::int64_t>(*count);
   return is_negative ? -number : number;
@@ -37,26 +38,26 @@ struct Body {
   AmcBody out = {};
   std::unordered_map<std::string, std::size_t> index_of_name = {};  ///< in lower case
   std::size_t num_columns = 0;
-  std::span<double> row = {};             ///< where the frame at hand goes: the last of `values`
-  std::vector<std::size_t> seen_in = {};  ///< the last frame, from 1, in which each bone was
+  std::span<double> row = {};             ///< the row of the current frame: the last of `values`
+  std::vector<std::size_t> seen_in = {};  ///< the last frame, from 1, that contained each bone
   std::vector<std::string_view> spelled = {};  ///< the names as the first frame spells them
-  std::size_t num_seen = 0;                    ///< bones of the frame at hand
-  std::size_t next = 0;                        ///< where in the order the next bone is expected
+  std::size_t num_seen = 0;                    ///< bones of the current frame
+  std::size_t next = 0;  ///< the position in the order of the next expected bone
   bool is_in_frame = false;
   bool is_full = false;                         ///< there is no room for more frames
   std::vector<std::size_t> place_of_bone = {};  ///< in the order of the first frame
-  std::int64_t number = 0;                      ///< of the frame at hand
+  std::int64_t number = 0;                      ///< of the current frame
   const char* number_at = nullptr;
 
   const char* end() const { return parser.source.end(); }
   std::size_t frame() const { return out.num_frames; }
-  /// Makes a place for the frame at hand; it is used again unless the frame is kept.
+  /// Makes a row for the current frame; it is reused unless the frame is kept.
   void open_row() { row = out.values.grow(num_columns); }
-  /// Ends the values at the frames that were kept.
+  /// Truncates the values to the frames that were kept.
   void close_rows() { out.values.resize(out.num_frames * num_columns); }
 };
 
-/// Lets the bones that are missing in the frame at hand hold their values, or rest at 0.
+/// Gives the bones that are missing in the current frame their previous values, or 0.
 void fill_missing(Body& body) {
   for (std::size_t b = 0; b < body.bones.size(); ++b) {
     if (body.seen_in[b] == body.frame() + 1) continue;
@@ -84,8 +85,8 @@ void report_missing(Body& body) {
                    body.number_at);
 }
 
-/// Whether there is room for another frame: bones that hold their values take no bytes of the file,
-/// so a small one could ask for any amount of memory.
+/// Whether there is room for another frame. Bones that keep their values need no bytes in the file,
+/// so a small file could require any amount of memory.
 bool has_room(Body& body) {
   constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB
   const std::size_t most = std::max(kManyNumbers, body.parser.source.text().size() / 2);
@@ -118,13 +119,13 @@ void finish_frame(Body& body) {
   body.open_row();
 }
 
-/// Makes room for as many frames as there would be if all were as long as the first.
+/// Reserves memory for the number of frames if all were as long as the first.
 void reserve_frames(Body& body, const char* begin, const char* next) {
   const auto frame_bytes = static_cast<std::size_t>(next - begin) + 1;
   const auto num_bytes = static_cast<std::size_t>(body.end() - begin);
   const std::size_t num_frames = num_bytes / frame_bytes + num_bytes / frame_bytes / 16 + 1;
-  // A number has two bytes at least, so hostile files cannot ask for more than four times theirs.
-  // One more than the last is open while the file is read.
+  // A number needs at least two bytes, so hostile files cannot request more than four times their
+  // size. While the file is read, one extra row is open.
   body.out.values.reserve(std::min(num_frames * body.num_columns, num_bytes / 2 + 1) +
                           body.num_columns);
   body.row = body.out.values.mutate().last(body.num_columns);
@@ -153,7 +154,7 @@ void start_frame(Body& body, std::int64_t number, const char* at) {
 
 constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
 
-/// The bone of a name: mostly the next in the order of the first frame.
+/// The bone with a name: usually the next in the order of the first frame.
 std::optional<std::size_t> find_bone(Body& body, std::string_view name) {
   if (body.next < body.out.bone_order.size() && body.spelled[body.next] == name) {
     return body.out.bone_order[body.next++];
@@ -170,7 +171,7 @@ std::optional<std::size_t> find_bone(Body& body, std::string_view name) {
   return found->second;
 }
 
-/// Reads a value that the row reader left, with a diagnostic where it is none.
+/// Reads a value that the row reader rejected, with a diagnostic if it is not a number.
 std::optional<double> parse_value(Parser& parser, std::string_view token) {
   const text::Number number = text::parse_number(token);
   if (number.fault == text::NumberFault::None && !std::isfinite(number.value)) {
@@ -188,7 +189,7 @@ std::optional<double> parse_value(Parser& parser, std::string_view token) {
   return std::nullopt;
 }
 
-/// Whether the next line goes on with a bone's values: it starts with a number and is no frame
+/// Whether the next line continues a bone's values: it starts with a number and is not a frame
 /// number.
 bool goes_on(Body& body) {
   Lexer& lexer = body.parser.lexer;
@@ -209,8 +210,8 @@ void report_count(Body& body, const BoneColumns& bone, std::size_t num_found, co
       at);
 }
 
-/// Reads what the row reader could not: values that are not finite, comments, wrapped lines, too
-/// few or too many values.
+/// Reads values that the row reader rejected: values that are not finite, comments, wrapped lines,
+/// too few or too many values.
 void read_odd_values(Body& body, const BoneColumns& bone, std::size_t num_read, const char* name) {
   Lexer& lexer = body.parser.lexer;
   double* out = body.row.data() + bone.first_column;
@@ -242,7 +243,7 @@ void read_values(Body& body, const BoneColumns& bone, const char* name) {
     lexer.move_to(read.next);
     return;
   }
-  // The row reader may have gone behind the line's end.
+  // The row reader may have moved past the line's end.
   if (read.end == text::RowEnd::EndOfLine) {
     lexer.move_to(read.next);
     if (goes_on(body)) return read_odd_values(body, bone, read.count, name);
@@ -278,7 +279,7 @@ void read_bone_line(Body& body, std::string_view name) {
         code::kUnexpectedLine,
         fmt::format("expected a frame number before the first bone, found {}", quoted(name)),
         name.data());
-    body.is_in_frame = true;  // said once
+    body.is_in_frame = true;  // reported once
     body.number_at = name.data();
   }
   if (std::exchange(body.seen_in[*index], body.frame() + 1) == body.frame() + 1) {
@@ -292,8 +293,8 @@ void read_bone_line(Body& body, std::string_view name) {
   read_values(body, body.bones[*index], name.data());
 }
 
-/// Reads the line of the bone that comes next in the order of the first frame, if it does: the fast
-/// path of nearly every line.
+/// Reads the next line if it is that of the expected bone (in the order of the first frame). This
+/// is the fast path for nearly every line.
 bool read_expected_line(Body& body) {
   if (!body.is_in_frame || body.next >= body.spelled.size()) return false;
   const std::string_view name = body.spelled[body.next];
@@ -316,8 +317,8 @@ std::string_view value_of_hint(std::string_view line) {
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
 }
 
-/// Keeps a line. A zero character becomes U+FFFD: written at the start of a file, it would make it
-/// look like UTF-16.
+/// Keeps a line. A zero character becomes U+FFFD, because at the start of a file it would look like
+/// UTF-16.
 void append_line(std::string& lines, std::string_view line) {
   if (!lines.empty()) lines += '\n';
   for (const char c : line) {

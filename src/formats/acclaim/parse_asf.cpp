@@ -91,7 +91,7 @@ void check_once(Parser& parser, std::vector<std::string>& seen, std::string_view
 
 namespace {
 
-/// Lines of a section that is kept as it stands, without the blank rest of the keyword's line.
+/// The lines of a section that is kept unchanged, without the blank rest of the keyword's line.
 std::string take_section_text(Parser& parser) {
   std::string text(parser.lexer.take_lines_to_keyword());
   const std::size_t line_end = text.find_first_of("\r\n");
@@ -169,14 +169,14 @@ void parse_root(Parser& parser, AsfFile& file) {
     if (!is_good) parser.lexer.take_line();
   }
   const auto length = std::find(file.root.order.begin(), file.root.order.end(), DofWord::Length);
-  if (length != file.root.order.end()) file.root.order.erase(length);  // the root has none
+  if (length != file.root.order.end()) file.root.order.erase(length);  // the root has no length
 }
 
-/// What has been met of the file so far.
+/// The sections that were read so far.
 struct Sections {
   bool root = false;
   bool bones = false;
-  const char* hierarchy_at = nullptr;  ///< behind the keyword
+  const char* hierarchy_at = nullptr;  ///< after the keyword
   std::vector<std::string> seen;
   std::vector<bool> has_parent;
 };
@@ -204,10 +204,10 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
     parse_root(parser, file);
   } else if (equals_ignoring_case(word, "bonedata")) {
     sections.bones = true;
-    file.bones.clear();  // of an earlier section: the later one stands
+    file.bones.clear();  // of an earlier section: the later one is used
     parse_bones(parser, file);
   } else if (equals_ignoring_case(word, "hierarchy")) {
-    // Read once all bones are known, wherever they stand.
+    // It is read when all bones are known, whatever their place.
     sections.hierarchy_at = parser.lexer.position();
     parser.lexer.take_lines_to_keyword();
   } else if (equals_ignoring_case(word, "skin")) {
@@ -224,7 +224,7 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
   }
 }
 
-/// Reads the hierarchy, and sees that nothing stands behind its end.
+/// Reads the hierarchy, and checks that nothing follows its end.
 void finish_hierarchy(Parser& parser, AsfFile& file, Sections& sections) {
   if (sections.hierarchy_at == nullptr) return;
   parser.lexer.move_to(sections.hierarchy_at);
@@ -247,7 +247,7 @@ void check_sections(Parser& parser, const Sections& sections) {
   }
 }
 
-/// A bone that hangs on nothing, or on itself, has no place.
+/// Reports bones that have no parent or are their own ancestor.
 void check_reachable(Parser& parser, AsfFile& file, const Sections& sections) {
   if (sections.hierarchy_at == nullptr || parser.diagnostics.has_errors()) return;
   std::vector<std::vector<std::size_t>> children(file.bones.size());
@@ -278,7 +278,7 @@ void check_reachable(Parser& parser, AsfFile& file, const Sections& sections) {
   }
 }
 
-/// The lines before the first section: comments, as they stand.
+/// The lines before the first section: comments, unchanged.
 std::string leading_comments(std::string_view text) {
   std::string comments;
   while (true) {

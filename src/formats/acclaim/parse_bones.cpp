@@ -18,16 +18,16 @@ namespace {
 using text::equals_ignoring_case;
 using text::quoted;
 
-constexpr double kUnitTolerance = 1e-3;  // six printed digits are off by 1e-6
+constexpr double kUnitTolerance = 1e-3;  // six printed digits have an error of 1e-6
 
-/// What has been said of the bone at hand, and where.
+/// The parts of the current bone that were read, and their places.
 struct BoneParts {
   const char* begin = nullptr;
   const char* name_at = nullptr;
   const char* direction_at = nullptr;
   const char* limits_at = nullptr;
   bool has_length = false;
-  bool is_broken = false;  ///< a fault was reported already
+  bool is_broken = false;  ///< a fault has been reported already
   std::vector<std::string> seen = {};
 };
 
@@ -57,14 +57,14 @@ void parse_limits(Parser& parser, Bone& bone) {
                token.data());
 }
 
-/// Whether a word is one that a bone's line starts with.
+/// Whether a line of a bone can start with this word.
 bool is_bone_word(std::string_view word) {
   constexpr std::array<std::string_view, 9> kWords = {
       "id", "name", "direction", "length", "axis", "dof", "limits", "bodymass", "cofmass"};
   return text::is_one_of(word, kWords);
 }
 
-/// Reads one line of a bone. Returns false at `end`, or where the bone cannot go on.
+/// Reads one line of a bone. Returns false at `end`, or if the bone cannot continue.
 bool parse_bone_word(Parser& parser, Bone& bone, BoneParts& parts) {
   const std::string_view word = parser.lexer.peek();
   if (word.empty() || word.starts_with(':') || equals_ignoring_case(word, "begin")) {
@@ -127,7 +127,7 @@ void check_direction(Parser& parser, const Bone& bone, const BoneParts& parts) {
       parts.direction_at);
 }
 
-/// Reports what the bone lacks. Returns whether it can be used.
+/// Reports missing parts of the bone. Returns whether it can be used.
 bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
   Parser& parser = bones.parser;
   if (parts.is_broken) return false;
@@ -221,7 +221,7 @@ void parse_bones(Parser& parser, AsfFile& file) {
 
 namespace {
 
-/// The index of a bone, kNoParent for the root; nothing for no bone's name.
+/// The index of a bone, kNoParent for the root; empty if no bone has the name.
 std::optional<std::size_t> find_bone(
     const std::unordered_map<std::string, std::size_t>& index_of_name, std::string_view token) {
   if (equals_ignoring_case(token, "root")) return kNoParent;
@@ -230,7 +230,7 @@ std::optional<std::size_t> find_bone(
 }
 
 void report_unknown(Parser& parser, std::string_view token) {
-  // Names of bones that were faulty themselves are not reported a second time.
+  // Names of bones that were themselves faulty are not reported a second time.
   if (parser.diagnostics.has_errors() && !parser.lenient) return;
   parser.repair(code::kUnknownBone,
                 fmt::format("expected a bone of :bonedata, found {}", quoted(token)),

@@ -16,7 +16,7 @@ namespace kinefile::acclaim {
 /// The state that the parts of a parser share.
 struct Parser {
   const text::Source& source;
-  bool lenient = false;  ///< repair what docs/errors.md names
+  bool lenient = false;  ///< repair the faults marked in docs/errors.md
   Diagnostics& diagnostics;
   Lexer lexer;
 
@@ -29,7 +29,7 @@ struct Parser {
   void warn(const char* code, std::string message, const char* at) {
     report(Severity::Warning, code, std::move(message), at);
   }
-  /// Reports a fault that `--lenient` repairs: an error, or a warning that tells the repair.
+  /// Reports a fault that `--lenient` repairs: an error, or a warning that describes the repair.
   /// Returns whether it is repaired.
   bool repair(const char* code, std::string message, const std::string& remedy, const char* at) {
     if (lenient) message += "; " + remedy;
@@ -38,19 +38,19 @@ struct Parser {
   }
 };
 
-/// Reports a word that a part of the file has had already: the later one stands, if that is
-/// lenient.
+/// Reports a word that already occurred in this part of the file; with `lenient` the later one is
+/// used.
 void check_once(Parser& parser, std::vector<std::string>& seen, std::string_view word);
 
-/// Reads a whole ASF text. What is wrong with it is in `diagnostics`, every fault of it; the result
-/// counts only if there are no errors.
+/// Reads a whole ASF text. All its faults are in `diagnostics`; the result is valid only if there
+/// are no errors.
 /// \param source  UTF-8 without a byte order mark
 AsfFile parse_asf(const text::Source& source, bool lenient, Diagnostics& diagnostics);
 
-/// Reads the :bonedata section, behind its keyword.
+/// Reads the :bonedata section, after its keyword.
 void parse_bones(Parser& parser, AsfFile& file);
 
-/// Reads the :hierarchy section, behind its keyword: gives the bones their parents.
+/// Reads the :hierarchy section, after its keyword: sets the parents of the bones.
 /// \returns  for each bone, whether a line names it as a child
 std::vector<bool> parse_hierarchy(Parser& parser, AsfFile& file);
 
@@ -63,15 +63,15 @@ bool parse_axis_order(Parser& parser, AxisOrder& order);
 /// Reads `count` finite numbers, over any number of lines.
 bool parse_numbers(Parser& parser, const std::string& what, double* out, std::size_t count);
 
-/// Reads the words of a `dof` or an `order` line as far as they are such words.
+/// Reads the words of a `dof` or an `order` line, up to the first other word.
 std::vector<DofWord> parse_dofs(Parser& parser);
 
 /// Reads the header of an AMC text up to the first frame.
 AmcHeader parse_amc_header(Parser& parser);
 
 /// Reads the frames.
-/// \param bones  every bone that has values, under the names that its skeleton gives it
-/// \param skeleton_name  what messages call the skeleton
+/// \param bones  every bone that has values, with its name in the skeleton
+/// \param skeleton_name  the name of the skeleton in messages
 AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
                        const std::string& skeleton_name);
 

@@ -18,7 +18,7 @@ struct Writer {
     printer.print(text);
     printer.print(line_end);
   }
-  /// Lines that were kept as they stood, whatever separates them.
+  /// Lines that were kept unchanged, with any line ends.
   void lines(std::string_view text) {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -67,7 +67,7 @@ void print_bone(Writer& writer, const Bone& bone, const std::string& id) {
   writer.line("     direction " + joined(bone.direction));
   writer.line(fmt::format("     length {}", bone.length));
   writer.line(fmt::format("     axis {} {}", joined(bone.axis.angles), spelling(bone.axis.order)));
-  // Before the limits, which a line that starts with a number would go on with.
+  // Before the limits, because a following line that starts with a number would continue them.
   for (const std::string& other : bone.other_lines) writer.line("     " + other);
   print_dofs(writer, bone);
   if (!bone.body_mass.empty()) writer.line("     bodymass " + bone.body_mass);
@@ -75,7 +75,7 @@ void print_bone(Writer& writer, const Bone& bone, const std::string& id) {
   writer.line("  end");
 }
 
-/// The ids of all bones: their own, and numbers that no other one has.
+/// The ids of all bones: their own, otherwise unused numbers.
 std::vector<std::string> ids_of_bones(const AsfFile& file) {
   std::set<std::string> used;
   for (const Bone& bone : file.bones) used.insert(bone.id);
@@ -137,7 +137,7 @@ void print_asf(text::Printer& printer, const AsfFile& file, std::string_view lin
 
 namespace {
 
-/// The lines of a frame: 0 is the root, 1 the first bone. Those without values have none.
+/// The lines of a frame: 0 is the root, 1 the first bone. Bones without values have no line.
 std::vector<std::size_t> line_order(const Unbound& unbound,
                                     const std::vector<std::string>& bone_order) {
   std::vector<std::size_t> usual;

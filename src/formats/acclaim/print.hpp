@@ -13,14 +13,14 @@ namespace kinefile::acclaim {
 /// Writes a skeleton; `line_end` is "\n" or "\r\n".
 void print_asf(text::Printer& printer, const AsfFile& file, std::string_view line_end);
 
-/// What the lines before the first frame are to say.
+/// The content of the lines before the first frame.
 struct AmcHeading {
-  std::string skeleton;     ///< the ASF file's name; empty: not said
-  std::string other_lines;  ///< as they stood
+  std::string skeleton;     ///< the ASF file's name; empty: not written
+  std::string other_lines;  ///< unchanged
   AngleUnit angle = AngleUnit::Degrees;
   bool says_rate = true;
   std::int64_t first_frame_number = 1;
-  std::vector<std::string> bone_order;  ///< the bones that have values, if they had an order
+  std::vector<std::string> bone_order;  ///< the bones that have values, if their order is kept
 };
 
 /// Writes a motion.

@@ -4,7 +4,7 @@
 // Acclaim skeletons (ASF) and motions (AMC). The sources are
 // - Schafer, "ASF: Acclaim Skeleton File Format", version 1.10,
 // - the Acclaim notes of Vicon BodyBuilder, and Lander, "ASF-AMC", University of Wisconsin, 1999,
-// - what 562 AMC and 43 ASF files do, listed in docs/formats/acclaim.md.
+// - a survey of 562 AMC and 43 ASF files, in docs/formats/acclaim.md.
 
 #include <array>
 #include <cstddef>
@@ -33,8 +33,8 @@ constexpr bool is_translation(DofWord word) { return word <= DofWord::Tz; }
 /// The coordinate axis of a rotation or a translation: 0 x, 1 y, 2 z.
 constexpr std::size_t axis_of(DofWord word) { return static_cast<std::size_t>(word) % 3; }
 
-/// The order in which three rotations about fixed axes are applied, first to last: "XYZ" is
-/// {0, 1, 2} and makes Rz Ry Rx.
+/// The order in which three rotations about fixed axes are applied, first to last: "XYZ" is {0, 1,
+/// 2} and gives Rz Ry Rx.
 using AxisOrder = std::array<std::size_t, 3>;
 
 /// "XYZ" for {0, 1, 2}.
@@ -42,10 +42,10 @@ inline std::string spelling(const AxisOrder& order) {
   return {"XYZ"[order[0]], "XYZ"[order[1]], "XYZ"[order[2]]};
 }
 
-/// What lengths are taken to be in once they are divided by the unit of length.
+/// The assumed unit of lengths after division by the unit of length.
 inline constexpr double kMetresPerInch = 0.0254;
 
-/// Three angles about x, y and z (in this order, whatever `order` says), in the file's unit.
+/// Three angles about x, y and z (in this order, whatever `order` is), in the file's unit.
 struct Orientation {
   std::array<double, 3> angles{};
   AxisOrder order = {0, 1, 2};
@@ -60,14 +60,14 @@ struct Limit {
 struct Bone {
   std::string id;
   std::string name;
-  std::array<double, 3> direction{};  ///< in the world, in the rest pose; not normalised
+  std::array<double, 3> direction{};  ///< in world coordinates, in the rest pose; not normalised
   double length = 0;
   Orientation axis;
   std::vector<DofWord> dofs;  ///< in the order of values and of application
   std::vector<Limit> limits;
-  std::string body_mass;  ///< empty where the file does not say
+  std::string body_mass;  ///< empty if the file does not specify it
   std::string cof_mass;
-  std::vector<std::string> other_lines;  ///< of words that this project does not know
+  std::vector<std::string> other_lines;  ///< lines that start with unknown words
   std::size_t parent = kNoParent;        ///< index of a bone, or kNoParent for the root
   const char* at = nullptr;              ///< its place in the text that was parsed
 };
@@ -79,7 +79,7 @@ struct Root {
   std::array<double, 3> position{};
 };
 
-/// What an ASF file says.
+/// The content of an ASF file.
 struct AsfFile {
   std::string comments;  ///< the lines before the first section, without the last line end
   std::string version;
@@ -87,14 +87,14 @@ struct AsfFile {
   std::optional<double> mass;
   std::optional<double> length;
   std::optional<AngleUnit> angle;
-  std::string documentation;  ///< its lines as they stand
+  std::string documentation;  ///< its lines, unchanged
   Root root;
   std::vector<Bone> bones;     ///< in the order of :bonedata
-  std::string skin;            ///< its lines as they stand
-  std::string other_sections;  ///< with their keywords, as they stand
+  std::string skin;            ///< its lines, unchanged
+  std::string other_sections;  ///< with their keywords, unchanged
 };
 
-/// What the lines before the first frame of an AMC file say.
+/// The content of the lines before the first frame of an AMC file.
 struct AmcHeader {
   std::string skeleton_hint;  ///< of `#!OML:ASF` or `:asf-file`
   std::string skeleton_path;  ///< of `:asf-path`
@@ -102,10 +102,10 @@ struct AmcHeader {
   std::optional<AngleUnit> angle;
   bool forces_3dof = false;
   std::optional<double> samples_per_second;
-  std::string other_lines;  ///< keywords that this project does not know, and comments
+  std::string other_lines;  ///< unknown keywords, and comments
 };
 
-/// A line of the body of an AMC file: which columns of the clip a bone's values are.
+/// A line in the body of an AMC file: the columns of the clip that hold a bone's values.
 struct BoneColumns {
   std::string name;
   std::size_t first_column = 0;

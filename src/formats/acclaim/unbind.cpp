@@ -21,13 +21,13 @@ Error not_expressible(const Joint& joint, std::string_view why) {
                     fmt::format("ASF cannot say that joint '{}' {}", joint.name, why));
 }
 
-/// A degree of freedom and the word that it gets.
+/// A degree of freedom and its word.
 struct Worded {
   const DegreeOfFreedom* dof;
   DofWord word;
 };
 
-/// The axis that a column's own word names: "rx", "Xrotation"; 3 for none.
+/// The axis that a column's own word names, such as "rx" or "Xrotation"; 3 for none.
 std::size_t axis_of_channel(std::string_view channel) {
   if (channel.size() == 2) channel.remove_prefix(1);  // rx, ty
   const std::size_t at =
@@ -35,20 +35,20 @@ std::size_t axis_of_channel(std::string_view channel) {
   return at == std::string_view::npos ? 3 : at % 3;
 }
 
-/// What the words of a joint's rotations and translations are taken from.
+/// The source of the words of a joint's rotations and translations.
 enum class WordsFrom {
-  Columns,  ///< the words of their columns, where these are different ones
-  Axes,     ///< their axes, where these are x, y and z
+  Columns,  ///< the words of their columns, if these are all different
+  Axes,     ///< their axes, if these are x, y and z
 };
 
-/// The coordinate axis that a degree of freedom's word is to name; 3 for none.
+/// The coordinate axis for a degree of freedom's word; 3 for none.
 std::size_t named_axis(const Skeleton& skeleton, const DegreeOfFreedom& dof, WordsFrom from) {
   return from == WordsFrom::Columns ? axis_of_channel(skeleton.coordinates[dof.coordinate].channel)
                                     : coordinate_axis(dof.axis).value_or(3);
 }
 
-/// Gives the rotations, or the translations, of a joint their words; x, y and z in turn where they
-/// have none of their own.
+/// Gives the rotations, or the translations, of a joint their words; x, y and z in turn if they
+/// have no words of their own.
 void add_words(const Skeleton& skeleton, const std::vector<const DegreeOfFreedom*>& dofs,
                WordsFrom from, DofWord first_word, std::vector<Worded>& worded) {
   std::set<std::size_t> axes;
@@ -99,7 +99,7 @@ Result<std::vector<Worded>> words_of(const Skeleton& skeleton, const Joint& join
   return worded;
 }
 
-/// A turn that brings the coordinate axis k onto a unit vector. (Eigen's FromTwoVectors finds the
+/// A rotation that maps the coordinate axis k to a unit vector. (Eigen's FromTwoVectors finds the
 /// axis of a half turn by an SVD, which takes longer to compile than this file.)
 Quat turn_onto(Eigen::Index k, const Vec3& unit) {
   const Vec3 from = Vec3::Unit(k);
@@ -111,14 +111,14 @@ Quat turn_onto(Eigen::Index k, const Vec3& unit) {
     const Vec3 v = across * (1 / twice_w);
     return Quat(twice_w / 2, v.x(), v.y(), v.z());
   }
-  const double sine = across.norm();  // towards a half turn, 1 + cosine loses digits
+  const double sine = across.norm();  // near a half turn, 1 + cosine loses digits
   const Vec3 any = Vec3::Unit(k == 2 ? 1 : 2);
   const Vec3 v = (sine > 0 ? Vec3(across / sine) : any) * (1 - cosine);
   return Quat(sine, v.x(), v.y(), v.z()).normalized();
 }
 
-/// The axes that a bone's words stand for, as a rotation from x, y and z, as far as its degrees of
-/// freedom tell; nothing if they are not at right angles or make a mirror image.
+/// The axes of a bone's words, as a rotation from x, y and z, as far as its degrees of freedom
+/// determine them; empty if they are not at right angles or form a mirror image.
 std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
   Mat3 axes = Mat3::Zero();
   for (const Worded& one : worded) {
@@ -127,14 +127,14 @@ std::optional<Mat3> axes_of(const std::vector<Worded>& worded) {
     if (column.squaredNorm() > 0 && column != one.dof->axis) return std::nullopt;
     column = one.dof->axis;
   }
-  for (Eigen::Index k = 0; k < 3; ++k) {  // two that are known give the third
+  for (Eigen::Index k = 0; k < 3; ++k) {  // two known axes determine the third
     const Eigen::Index next = (k + 1) % 3;
     const Eigen::Index last = (k + 2) % 3;
     const bool is_missing = axes.col(k).squaredNorm() == 0;
     const bool has_others = axes.col(next).squaredNorm() > 0 && axes.col(last).squaredNorm() > 0;
     if (is_missing && has_others) axes.col(k) = axes.col(next).cross(axes.col(last)).normalized();
   }
-  for (Eigen::Index k = 0; k < 3; ++k) {  // one that is known: any turn that brings it there
+  for (Eigen::Index k = 0; k < 3; ++k) {  // one known axis: any rotation that maps it there
     if (axes.col(k).squaredNorm() == 0 || axes.col((k + 1) % 3).squaredNorm() > 0) continue;
     axes = turn_onto(k, axes.col(k)).toRotationMatrix();
     break;
@@ -179,8 +179,8 @@ std::vector<std::size_t> columns_of(const std::vector<Worded>& worded) {
   return columns;
 }
 
-/// Puts the words into the order of their columns where both orders make the same rotation: where
-/// the rotations stand in the same order in both.
+/// Puts the words into the order of their columns if this gives the same rotation, which means that
+/// the rotations have the same order in both.
 void order_by_columns(std::vector<Worded>& worded) {
   std::vector<Worded> sorted = worded;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Worded& a, const Worded& b) {
@@ -196,7 +196,7 @@ void order_by_columns(std::vector<Worded>& worded) {
   if (rotations(sorted) == rotations(worded)) worded = std::move(sorted);
 }
 
-/// The limits of a bone for other words about the same axes; none if one has none.
+/// The limits of a bone for other words about the same axes; empty if a word has no limit.
 std::vector<Limit> limits_of(const Bone& bone, const std::vector<DofWord>& dofs) {
   std::vector<Limit> limits;
   for (const DofWord word : dofs) {
@@ -255,8 +255,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, AngleUnit 
   return bone;
 }
 
-/// Whether the root's words stand for its axes: it turns about x, y and z behind its orientation,
-/// and moves along the world's.
+/// Whether the root's words fit its axes: it rotates about x, y and z after its orientation, and
+/// moves along the world's axes.
 bool says_root_axes(const Mat3& rest, const std::vector<Worded>& worded) {
   return std::all_of(worded.begin(), worded.end(), [&rest](const Worded& one) {
     const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(axis_of(one.word)));
@@ -292,8 +292,8 @@ Result<Root> unbind_root(const Skeleton& skeleton, AngleUnit unit,
   return root;
 }
 
-/// Whether every bone's words are what :FORCE-ALL-JOINTS-BE-3DOF makes of the words that its file
-/// had; then those are put back.
+/// If every bone's words are those that :FORCE-ALL-JOINTS-BE-3DOF makes from the words in its file,
+/// restores the words of the file. Returns whether it did.
 bool restore_forced(Unbound& unbound, const Skeleton& skeleton,
                     const std::vector<std::size_t>& joint_of_bone) {
   std::vector<Bone> bones = unbound.file.bones;
@@ -324,7 +324,7 @@ bool restore_forced(Unbound& unbound, const Skeleton& skeleton,
   return true;
 }
 
-/// Whether every column is read by a joint, so that no values are lost.
+/// An error if no joint reads some column, because its values would be lost.
 std::optional<Error> unread_column(const Skeleton& skeleton, const Unbound& unbound) {
   std::vector<bool> is_read(skeleton.coordinates.size(), false);
   for (const auto& columns : unbound.columns) {

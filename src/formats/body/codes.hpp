@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The diagnostics of the reader of Choreonoid's robot models. docs/errors.md gives each a cause and
-// a cure, and tests/formats/body/invalid a file and its message.
+// The diagnostics of the reader of Choreonoid's robot models. docs/errors.md gives the cause and
+// cure of each; tests/formats/body/invalid has a file and its message for each.
 
 #include "formats/robot_file.hpp"
 

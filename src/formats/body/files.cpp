@@ -12,10 +12,11 @@ namespace {
 
 using text::yaml::Node;
 
-/// How many files may be open at once, each named by the one before. It costs stack.
+/// The largest number of files that are open at once, each named by the one before. Every level
+/// needs stack.
 constexpr std::size_t kMostOpenFiles = 16;
 
-/// How many files a robot may be made of.
+/// The largest number of files of a robot.
 constexpr std::size_t kMostFiles = 1000;
 
 /// The part of a path up to its last slash.
@@ -28,7 +29,7 @@ std::string with_slashes(std::string name) {
   return name;
 }
 
-/// The parts of a path without "." and, where a folder stands before it, "..".
+/// A path without "." and, after a folder, without "..".
 std::string normalised(std::string_view path) {
   std::vector<std::string_view> parts;
   while (!path.empty()) {
@@ -47,7 +48,7 @@ std::string normalised(std::string_view path) {
   return name;
 }
 
-/// The key that names another model file, of which this one is a wrapper; or null.
+/// The value of the key that names the wrapped model file; null if this file is not a wrapper.
 const Node* wrapped_file(const File& file) {
   if (text::yaml::find(file.root(), "format") != nullptr) return nullptr;
   return find_any(file.root(), {"modelFile", "model_file"});

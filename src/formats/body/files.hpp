@@ -31,17 +31,17 @@ class Files {
   Files(const ReadOptions& options, Diagnostics& diagnostics)
       : options_(options), diagnostics_(diagnostics) {}
 
-  /// Reads the file that all begins with. Null after an error.
+  /// Reads the first file. Null after an error.
   const File* read_first(std::string_view bytes);
 
-  /// The name of a file that another one names, relative to the folder of the first one.
+  /// The name of a file that another file names, relative to the folder of the first one.
   static std::string name_beside(const File& file, std::string_view uri);
 
-  /// Reads a file that another one names. Null after an error.
+  /// Reads a file that another file names. Null after an error.
   /// \param spot  where it is named
   const File* open(const std::string& name, const robot_file::Spot& spot);
 
-  /// Finds a file that another one names; nothing after an error.
+  /// Finds a file that another file names; empty after an error.
   std::optional<CompanionFile> find(const std::string& name, const robot_file::Spot& spot);
 
   /// The robot of a file; null after an error.
@@ -62,18 +62,18 @@ class Files {
   std::vector<const File*> open_;  ///< those whose links are being read, outermost first
 };
 
-/// What wrappers lead to.
+/// The model file that wrappers lead to.
 struct Wrapped {
-  const File* file = nullptr;            ///< one with links; null after an error, or if:
-  const Format* other_format = nullptr;  ///< it is of another format than .body
+  const File* file = nullptr;            ///< a file with links; null after an error, or if:
+  const Format* other_format = nullptr;  ///< the format is not .body
   std::string other_name;
-  robot_file::Spot spot;  ///< where `other_name` stands
+  robot_file::Spot spot;  ///< the place of `other_name`
 };
 
 /// Follows `modelFile` from file to file.
 Wrapped follow_wrappers(const File* file, Files& files);
 
-/// Reads the links of a file. Nothing after an error.
+/// Reads the links of a file. Empty after an error.
 std::optional<robot_file::Robot> read_robot(const File& file, Files& files);
 
 }  // namespace kinefile::body

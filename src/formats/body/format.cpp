@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 1> kExtensions = {".body"};
 constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
-/// Whether this is what stands between a key and its value, in YAML's two styles.
+/// Whether this character can be between a key and its value, in YAML's two styles.
 bool joins_key_and_value(char c) { return text::is_blank(c) || c == ':' || c == '"' || c == '\''; }
 
 bool probe(std::string_view head) {
@@ -47,7 +47,7 @@ Result<Document> read_other(const Wrapped& wrapped, Files& files) {
   options.lenient = files.options().lenient;
   auto document = wrapped.other_format->read(companion->bytes, options, files.diagnostics());
   if (!document) return document;
-  // A robot, and not just any skeleton.
+  // It must be a robot, not any skeleton.
   if (document->kept.get<robot_file::KeptFile>() != nullptr) return document;
   wrapped.spot.report(
       files.diagnostics(), Severity::Error, code::kNotABody,

@@ -17,10 +17,10 @@ using robot_file::Link;
 using text::yaml::Node;
 using text::yaml::NodeKind;
 
-constexpr double kLargestId = 4e9;  // far beyond what is allowed, and a size on every machine
+constexpr double kLargestId = 4e9;  // far beyond the limit, and fits a size_t on every machine
 
-/// The keys of links, between blanks: what the readers of nodes look at, and what moves nothing.
-/// In lower case and without underscores, since every key has two spellings.
+/// The known keys of links, between blanks: those that we read, and those that move nothing. In
+/// lower case and without underscores, because every key has two spellings.
 constexpr std::string_view kKnownKeys =
     " "
     "actuationmode amor autosleep centerofmass childlinks collision contactmaterial "
@@ -150,7 +150,7 @@ bool read_displacement(Values& values, const Node& node, Link& link) {
   return true;
 }
 
-/// A limit in the joint's unit; "unlimited" leaves it as it is.
+/// A limit in the joint's unit; "unlimited" leaves it unchanged.
 bool read_limit(Values& values, const Node& value, const Link& link, double& limit) {
   if (value.text == "unlimited") return true;
   const auto number = values.number(value, "a limit");

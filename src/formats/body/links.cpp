@@ -101,7 +101,7 @@ class LinkReader {
                             text::quoted(root->text)));
   }
 
-  /// \param type  the key that the node stands behind, where links are a mapping
+  /// \param type  the key of the node, if links are a mapping
   bool read_node(const Node& node, std::string_view type) {
     if (node.kind != NodeKind::Mapping) {
       return fail(node, code::kBadValue, "expected the keys of a link, found something else");
@@ -150,8 +150,8 @@ class LinkReader {
     return read_contents(values_, node, link);
   }
 
-  /// A crawler of many shoes: the first moves freely, which it cannot as a child; the others hang
-  /// on each other.
+  /// A crawler of many shoes: the first is a free joint, which cannot move as a child; each of the
+  /// others is attached to the one before.
   bool read_track(const Node& node) {
     Link link;
     if (!read_new_link(node, link)) return false;
@@ -194,7 +194,7 @@ class LinkReader {
     return true;
   }
 
-  /// The links of another file, which come in with other names and ids.
+  /// Adds the links of another file, with changed names and ids.
   bool read_sub_body(const Node& node) {
     const Node* uri = find_any(node, {"uri"});
     if (uri == nullptr) return missing(node, "the uri of a SubBody");
@@ -257,7 +257,7 @@ class LinkReader {
   Files& files_;
   Values values_;
   robot_file::Robot robot_;
-  bool is_full_ = false;  ///< more links are an error that is told once
+  bool is_full_ = false;  ///< more links are an error that is reported once
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ using text::yaml::Node;
 using text::yaml::NodeKind;
 using Row = std::vector<double>;
 
-/// What a message calls a value that is not the expected one.
+/// The name of an unexpected value in a message.
 std::string found(const Node& node) {
   if (node.kind == NodeKind::Sequence) return "a list";
   if (node.kind == NodeKind::Mapping) return "a mapping";
@@ -30,7 +30,7 @@ std::optional<double> number_of(const Node& node) {
   return is_good ? std::optional(number.value) : std::nullopt;
 }
 
-/// The numbers of a list; nothing if something else is among them.
+/// The numbers of a list; empty if it contains something else.
 std::optional<Row> row_of(const Node& node) {
   if (node.kind != NodeKind::Sequence || node.rows) return std::nullopt;
   Row row;
@@ -42,7 +42,7 @@ std::optional<Row> row_of(const Node& node) {
   return row;
 }
 
-/// The lists in a list, some of which the YAML reader has as rows without nodes.
+/// The lists in a list; the YAML reader stores some of them as rows without nodes.
 std::optional<std::vector<Row>> rows_of(const Node& node, const text::yaml::Tree& tree) {
   std::vector<Row> rows;
   if (!node.rows) {

@@ -12,12 +12,12 @@
 
 namespace kinefile::body {
 
-/// Reads the values of one file. What is not as expected is told, and the result is nothing.
+/// Reads the values of one file. Unexpected values are reported, and the result is empty.
 struct Values {
   const text::Source& source;
   const text::yaml::Tree& tree;
   Diagnostics& diagnostics;
-  bool has_degrees = true;  ///< else its angles are radians
+  bool has_degrees = true;  ///< false: its angles are radians
 
   robot_file::Spot spot(const text::yaml::Node& node) const { return {&source, node.at}; }
   void error(const text::yaml::Node& node, const char* code, std::string message);

@@ -30,8 +30,8 @@ DegreeOfFreedom dof_of_channel(const Channel& channel, std::size_t column) {
   return dof;
 }
 
-/// Lets the position channels of a joint stand in the place of its offset's components. Where the
-/// component is zero, adding is the same, and this keeps the sign of the zero.
+/// Replaces the components of a joint's offset by its position channels. Where the component is
+/// zero, adding gives the same, and this keeps the sign of the zero.
 void replace_offset(Joint& joint, PositionMode mode) {
   std::array<bool, 3> is_replaced{};
   for (DegreeOfFreedom& dof : joint.dofs) {
@@ -54,7 +54,7 @@ Joint bind_node(const Node& node, std::size_t first_column, PositionMode mode) {
     if (node.channels[c].kind == ChannelKind::Unknown) continue;
     joint.dofs.push_back(dof_of_channel(node.channels[c], first_column + c));
   }
-  // Every program moves before it turns, whatever the order of the channels.
+  // Every program translates before it rotates, whatever the order of the channels.
   std::stable_partition(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
     return dof.kind == DofKind::Translation;
   });
@@ -65,7 +65,7 @@ Joint bind_node(const Node& node, std::size_t first_column, PositionMode mode) {
   return joint;
 }
 
-/// The median over the first frames of a channel's distance from a value, as a size.
+/// The median over the first frames of a channel's absolute distance from a value.
 double median_distance(const File& file, std::size_t column, double from) {
   constexpr std::size_t kFrames = 10;
   std::vector<double> distances;
@@ -79,9 +79,9 @@ double median_distance(const File& file, std::size_t column, double from) {
   return *middle;
 }
 
-/// What the largest component of a node's OFFSET tells, if it has a position channel: its values
-/// lie around zero where they are meant to be added, and around OFFSET where they replace it.
-/// The other components tell nothing: a walk leaves its start.
+/// A guess from the largest component of a node's OFFSET, if it has a position channel: values
+/// around zero are meant to be added, values around OFFSET replace it. The other components give no
+/// information, because a walk leaves its start.
 std::optional<PositionGuess> guess_from_node(const File& file, const Node& node,
                                              std::size_t first_column) {
   std::size_t axis = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The diagnostics of the BVH reader and writer. docs/errors.md gives each a cause and a cure, and
-// tests/formats/bvh/invalid a file and its message.
+// The diagnostics of the BVH reader and writer. docs/errors.md gives the cause and cure of each;
+// tests/formats/bvh/invalid has a file and its message for each.
 
 namespace kinefile::bvh::code {
 

@@ -36,7 +36,7 @@ constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
 constexpr Kinds kWrites = {.motions = true, .skeletons = true};
 
-/// What a document keeps of its file.
+/// The data that a document keeps from its file.
 struct KeptFile {
   TextLayout text;
   PositionMode positions = PositionMode::Replace;  ///< or Add
@@ -52,7 +52,7 @@ bool probe(std::string_view head) {
   return text::equals_ignoring_case(word, "HIERARCHY") || text::equals_ignoring_case(word, "ROOT");
 }
 
-/// Settles how position channels are meant, and says so where the file does not make it plain.
+/// Decides the meaning of position channels, and reports it if the file is not clear.
 PositionMode settle_positions(const File& file, const text::Source& source, PositionMode asked,
                               Diagnostics& diagnostics) {
   const PositionGuess guess = guess_positions(file);
@@ -74,13 +74,13 @@ PositionMode settle_positions(const File& file, const text::Source& source, Posi
   return asked;
 }
 
-/// Reads a document; `diagnostics` holds nothing of other files.
+/// Reads a document; `diagnostics` contains only messages about this file.
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
   if (!decoded) return fail(std::move(decoded.error()));
   std::string_view view = decoded->view();
-  // The end-of-file character of CP/M and DOS, and line ends behind it.
+  // The end-of-file character of CP/M and DOS, and line ends after it.
   const std::size_t last = view.find_last_not_of("\r\n \t\x1A");
   const std::size_t mark = view.find('\x1A', last == std::string_view::npos ? 0 : last);
   if (mark != std::string_view::npos) view = view.substr(0, mark);
@@ -140,7 +140,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   return {};
 }
 
-/// Whether the file's positions were read as ones that are added to OFFSET.
+/// Whether the file's positions were read as added to OFFSET.
 bool were_positions_added(const Document& document) {
   const KeptFile* const kept = document.kept.get<KeptFile>();
   return kept != nullptr && kept->positions == PositionMode::Add;

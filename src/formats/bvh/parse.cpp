@@ -74,7 +74,7 @@ struct Counts {
   const char* frame_time_at = nullptr;
 };
 
-/// "3.0": a whole number, though not written as one.
+/// A whole number that is not written as one: "3.0".
 std::optional<std::size_t> whole_number(std::string_view token) {
   constexpr double kMost = 9007199254740992.0;  // 2^53
   const text::Number number = text::parse_number(token);
@@ -83,7 +83,7 @@ std::optional<std::size_t> whole_number(std::string_view token) {
   return is_whole ? std::optional(static_cast<std::size_t>(number.value)) : std::nullopt;
 }
 
-/// The value behind "Frames" or "Frame Time": a colon, blanks around it, a word of the same line.
+/// The value after "Frames" or "Frame Time": a colon, blanks around it, a word in the same line.
 std::string_view take_count_token(Parser& parser) {
   parser.scanner.take_character(':');
   return parser.scanner.take_in_line();
@@ -143,7 +143,7 @@ void parse_frame_time(Parser& parser, const char* keyword_at, Counts& counts) {
   }
 }
 
-/// Reads one of "Frames: N" and "Frame Time: T". Returns false if neither comes next.
+/// Reads one of "Frames: N" and "Frame Time: T". Returns false if neither is next.
 bool parse_count_line(Parser& parser, Counts& counts) {
   const std::string_view word = parser.scanner.peek();
   if (starts_with_ignoring_case(word, "FrameTime")) {
@@ -168,8 +168,7 @@ bool parse_count_line(Parser& parser, Counts& counts) {
   return true;
 }
 
-/// Whether a row may start with this word. What is no number at all cannot be told from a count
-/// that is misspelt.
+/// Whether a row may start with this word. A word that is not a number may be a misspelt count.
 bool can_start_row(std::string_view word) {
   return text::parse_number(word).fault != text::NumberFault::NotANumber;
 }
@@ -201,7 +200,7 @@ void parse_motion(Parser& parser) {
     const std::string_view word = parser.scanner.peek();
     const bool has_time = counts.frame_time_at != nullptr || parser.options.has_rate;
     const bool has_both = counts.frames_at != nullptr && has_time;
-    // Once both are there, what follows is a row, good or not.
+    // After both counts, the next line is a row, valid or not.
     if (has_both || (!word.empty() && can_start_row(word))) break;
     parser.report(
         Severity::Error, word.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord,

@@ -17,10 +17,10 @@ using text::equals_ignoring_case;
 using text::quoted;
 using text::starts_with_ignoring_case;
 
-/// After so many structural errors the rest of the hierarchy says nothing new.
+/// After this many structural errors the rest of the hierarchy gives no new information.
 constexpr std::size_t kMaxStructureErrors = 20;
 
-/// A node or an End Site whose closing brace has not come yet.
+/// A node or an End Site whose closing brace was not read yet.
 struct OpenBlock {
   std::size_t node = 0;
   bool is_end_site = false;
@@ -34,7 +34,7 @@ struct Hierarchy {
   std::vector<OpenBlock> open;
   std::vector<const char*> name_places;
   std::size_t num_structure_errors = 0;
-  bool is_cut_off = false;  ///< the end of the file was met too early, and reported
+  bool is_cut_off = false;  ///< the file ended too early, which was reported
 
   File& file() { return parser.file; }
   text::Scanner& scanner() { return parser.scanner; }
@@ -58,7 +58,7 @@ void report_structure(Hierarchy& h, std::string_view expected, std::string_view 
   ++h.num_structure_errors;
 }
 
-/// Takes the name that follows ROOT or JOINT; it may hold blanks, and stand on the next line.
+/// Consumes the name after ROOT or JOINT; it may contain blanks, and may be on the next line.
 std::string_view take_node_name(Hierarchy& h, std::string_view keyword) {
   std::string_view name = h.scanner().take_name();
   if (name.empty()) {
@@ -137,7 +137,7 @@ void parse_offset(Hierarchy& h, std::string_view keyword) {
   }
 }
 
-/// Reads the words of a CHANNELS list, which may go on in the next line.
+/// Reads the words of a CHANNELS list, which may continue in the next line.
 void take_channel_words(Hierarchy& h, Node& node, std::size_t claim) {
   while (true) {
     if (skip_comment(h.parser)) continue;
@@ -329,7 +329,7 @@ void check_names(Hierarchy& h) {
   }
 }
 
-/// Takes MOTION, which may be missing. Returns whether there is motion to read.
+/// Consumes MOTION, which may be missing. Returns whether there is motion to read.
 bool take_motion_word(Hierarchy& h) {
   Parser& parser = h.parser;
   const std::string_view word = parser.scanner.peek();

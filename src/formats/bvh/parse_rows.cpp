@@ -25,30 +25,32 @@ struct Rows {
   std::optional<std::size_t> claim;
   const char* claim_at;
   std::size_t num_columns;
-  std::span<double> row = {};       ///< where the row at hand goes: the last of `values`
-  std::size_t num_seen = 0;         ///< rows met so far, faulty ones too
-  bool is_stream_refuted = false;   ///< the numbers do not add up, so rows end with their lines
-  const char* known_row = nullptr;  ///< the last place at which a row was found ahead
+  std::span<double> row = {};  ///< the current row: the last of `values`
+  std::size_t num_seen = 0;    ///< rows seen so far, including faulty ones
+  bool is_stream_refuted =
+      false;  ///< the count of numbers does not fit, so rows end with their lines
+  const char* known_row = nullptr;  ///< the last place where a later row was found
 
   File& file() { return parser.file; }
   const char* end() const { return parser.source.end(); }
-  /// Makes a place for the row at hand; it is used again unless the row is kept.
+  /// Makes a new current row; it is reused unless the row is kept.
   void open_row() { row = file().values.grow(num_columns); }
   void keep_row() {
     ++file().num_frames;
     open_row();
   }
-  /// Ends the rows at those that were kept.
+  /// Truncates the values to the rows that were kept.
   void close_rows() { file().values.resize(file().num_frames * num_columns); }
 };
 
-/// As many rows as the rest of the file could hold if every number were one digit.
+/// The number of rows that the rest of the file could contain if every number had one digit.
 std::size_t most_rows(const Rows& rows, const char* begin) {
   const auto num_bytes = static_cast<std::size_t>(rows.end() - begin);
   return num_bytes / (kBytesPerNumber * std::max<std::size_t>(rows.num_columns, 1)) + 1;
 }
 
-/// A count that is far beyond the file: not a clip that was cut short, but a wrong number.
+/// Reports a count that is far too large for the file: this is not a truncated clip, but a wrong
+/// number.
 void check_claim(Rows& rows, const char* begin) {
   constexpr std::size_t kFarTooMany = 1000;
   constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB of doubles
@@ -64,8 +66,8 @@ void check_claim(Rows& rows, const char* begin) {
   rows.claim.reset();
 }
 
-/// Makes room for the rows that the length of the first line promises. The count in the file is
-/// used only where the file could hold as many.
+/// Reserves memory for the rows, estimated from the length of the first line. The count in the file
+/// is used only if the file could contain as many.
 void reserve_rows(Rows& rows, const char* begin) {
   const auto num_bytes = static_cast<std::size_t>(rows.end() - begin);
   const char* line = std::find_if_not(begin, rows.end(), text::is_line_end);
@@ -74,12 +76,13 @@ void reserve_rows(Rows& rows, const char* begin) {
   const std::size_t num_likely = num_bytes / line_bytes + num_bytes / line_bytes / 16 + 1;
   const std::size_t num_rows =
       rows.claim ? *rows.claim : std::min(num_likely, most_rows(rows, begin));
-  // One more than the last is open while the file is read.
+  // While the file is read, one extra row is open.
   const std::size_t num_reserved = std::min(num_rows, most_rows(rows, begin)) + 1;
   rows.file().values.reserve(num_reserved * rows.num_columns);
 }
 
-/// Reads a token that the row reader left: a word for what is not finite, or no number at all.
+/// Reads a token that the row reader rejected: a word for a value that is not finite, or not a
+/// number.
 std::optional<double> parse_odd_token(Parser& parser, std::string_view token) {
   const text::Number number = text::parse_number(token);
   if (number.fault == NumberFault::None && !std::isfinite(number.value)) {
@@ -91,7 +94,7 @@ std::optional<double> parse_odd_token(Parser& parser, std::string_view token) {
   return parse_value(parser, token, code::kNotANumber, "a number");
 }
 
-/// What a row was that the fast path could not take.
+/// A row that the fast path rejected.
 struct OddRow {
   std::size_t num_tokens = 0;
   const char* first_extra = nullptr;  ///< the first token beyond the columns
@@ -125,8 +128,8 @@ std::size_t count_tokens_in_line(const Rows& rows, const char* begin) {
   return count;
 }
 
-/// Whether from here on there are just the numbers that the count of frames still asks for,
-/// however they are broken into lines. Asked once: the answer for a later line would be the same.
+/// Whether the rest of the text has exactly as many numbers as the count of frames still needs,
+/// with any line breaks. Computed once: the answer for a later line would be the same.
 bool is_stream(Rows& rows, const char* begin) {
   if (std::exchange(rows.is_stream_refuted, true)) return false;
   if (!rows.claim || *rows.claim <= rows.parser.file.num_frames) return false;
@@ -147,7 +150,7 @@ bool is_stream(Rows& rows, const char* begin) {
   return count == num_missing;
 }
 
-/// Reads all numbers up to the end of the text, line ends notwithstanding. Only after `is_stream`.
+/// Reads all numbers up to the end of the text and ignores line ends. Only after `is_stream`.
 void read_stream(Rows& rows, const char* begin) {
   rows.parser.report(
       Severity::Warning, code::kReadAsStream,
@@ -181,8 +184,8 @@ void read_stream(Rows& rows, const char* begin) {
   rows.file().num_frames = *rows.claim;
 }
 
-/// Whether some line from here on starts with a number. What is found is remembered, so that all
-/// calls together walk over the text once.
+/// Whether some line from here on starts with a number. The result is remembered, so that all calls
+/// together read the text once.
 bool has_row(Rows& rows, const char* begin) {
   if (rows.known_row != nullptr && begin <= rows.known_row) return true;
   text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
@@ -219,7 +222,7 @@ void report_row_length(Rows& rows, const OddRow& odd) {
   }
 }
 
-/// Deals with a line that is no plain row. Returns where to go on.
+/// Handles a line that is not a plain row. Returns where to continue.
 const char* read_odd_line(Rows& rows, const char* line) {
   text::Scanner& scanner = rows.parser.scanner;
   scanner.move_to(line);
@@ -269,10 +272,10 @@ void read_rows(Rows& rows, const char* begin) {
   rows.close_rows();
 }
 
-/// A motion without columns has an empty line a frame.
+/// A motion without columns has one empty line per frame.
 void read_empty_rows(Rows& rows, const char* begin) {
   text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
-  scanner.take_line();  // what is left of the line of the last count
+  scanner.take_line();  // the rest of the line with the last count
   std::size_t num_ends = 0;
   for (const char* p = scanner.position(); p != rows.end();) {
     const NumberRow line = text::read_number_row(p, rows.end(), nullptr, 0);
@@ -291,7 +294,7 @@ void read_empty_rows(Rows& rows, const char* begin) {
   rows.file().num_frames = std::min(rows.claim.value_or(num_lines), num_lines);
 }
 
-/// Looks for words that are no numbers, where the rows' length is not known.
+/// Reports words that are not numbers; used when the length of rows is unknown.
 void check_tokens(Parser& parser) {
   while (true) {
     if (skip_comment(parser)) continue;

@@ -12,7 +12,7 @@ struct Writer {
   text::Printer& printer;
   std::string_view line_end;
 
-  /// Starts a line at a depth of braces.
+  /// Starts a line, indented by the depth of braces.
   void indent(std::size_t depth) {
     for (std::size_t i = 0; i < depth; ++i) printer.print('\t');
   }

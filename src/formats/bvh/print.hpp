@@ -13,7 +13,7 @@ namespace kinefile::bvh {
 /// Writes the hierarchy; `line_end` is "\n" or "\r\n".
 void print_hierarchy(text::Printer& printer, const File& file, std::string_view line_end);
 
-/// Writes the motion: the counts and a line a frame.
+/// Writes the motion: the counts and one line per frame.
 void print_motion(text::Printer& printer, const Unbound& unbound, const Clip& clip,
                   std::string_view line_end);
 

@@ -3,7 +3,7 @@
 
 // Biovision Hierarchy. There is no standard; the sources are
 // - Meredith and Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001,
-// - what 708 real files from 61 origins do, listed in docs/formats/bvh.md.
+// - a survey of 708 real files from 61 origins, in docs/formats/bvh.md.
 
 #include <array>
 #include <cstddef>
@@ -21,13 +21,13 @@ enum class ChannelKind { Position, Rotation, Scale, Unknown };
 /// A word of a CHANNELS list.
 struct Channel {
   ChannelKind kind = ChannelKind::Unknown;
-  std::size_t axis = 0;   ///< 0 x, 1 y, 2 z; without meaning for an unknown channel
-  std::string_view word;  ///< as the file spells it
+  std::size_t axis = 0;   ///< 0 x, 1 y, 2 z; unused for an unknown channel
+  std::string_view word;  ///< as spelled in the file
 };
 
 /// `End Site NAME { OFFSET x y z }`
 struct EndSite {
-  std::string_view name;  ///< mostly empty
+  std::string_view name;  ///< usually empty
   std::array<double, 3> offset{};
 };
 
@@ -40,13 +40,13 @@ struct Node {
   std::vector<EndSite> end_sites;
 };
 
-/// What a BVH file says. Views point into the text that was parsed, or into the skeleton that was
-/// unbound.
+/// The content of a BVH file. Views point into the text that was parsed, or into the skeleton that
+/// was unbound.
 struct File {
   std::vector<Node> nodes;  ///< depth first, as in the file
   bool has_motion = false;
   double frame_time = 0;
-  std::size_t num_frames = 0;  ///< rows that are there; the file's own count is only a claim
+  std::size_t num_frames = 0;  ///< the rows that exist; the count in the file is not trusted
   std::size_t num_columns = 0;
   Array<double> values;  ///< [frame][column]
 };
@@ -54,17 +54,17 @@ struct File {
 /// The channel that a word names, whatever its case: "Xposition", "ZROTATION", "yscale".
 Channel channel_of_word(std::string_view word);
 
-/// The usual spelling of a known channel; an unknown one as the file spells it.
+/// The usual spelling of a known channel; an unknown one as spelled in the file.
 std::string spelling(const Channel& channel);
 
-/// Whether a word has a meaning of its own in a hierarchy and so ends a list of channels: a
-/// keyword, a brace, a comment, the end of the text.
+/// Whether a word is special in a hierarchy and therefore ends a list of channels: a keyword, a
+/// brace, a comment, the end of the text.
 bool is_keyword(std::string_view word);
 
 /// Nodes may be nested this deep.
 inline constexpr std::size_t kMaxDepth = 1000;
 
-/// A node may claim this many channels.
+/// A node may have this many channels.
 inline constexpr std::size_t kMaxChannels = 1000;
 
 }  // namespace kinefile::bvh

@@ -33,19 +33,20 @@ ChannelKind channel_kind(DofKind kind) {
   return ChannelKind::Unknown;
 }
 
-/// A column that a degree of freedom reads, or that nothing reads and whose word is kept.
+/// A column that a degree of freedom reads, or an unread column whose word is kept.
 struct Column {
   Channel channel;
   bool is_read = false;
 };
 
-/// Whether a reader finds the name again: a line, without braces and without blanks at its ends.
+/// Whether the name can be read back: one line, without braces and without blanks at its ends.
 bool is_writable_name(std::string_view name) {
   return !name.empty() && name.find_first_of("\r\n{}") == std::string_view::npos &&
          !text::is_blank(name.front()) && !text::is_blank(name.back());
 }
 
-/// Whether a column that nothing reads is read back as such: its word is none that means something.
+/// Whether an unread column is read back as unread: its word must not be a known channel or
+/// keyword.
 bool is_writable_unread(std::string_view word) {
   return channel_of_word(word).kind == ChannelKind::Unknown && !is_keyword(word) &&
          is_writable_name(word) && word.find_first_of(" \t\v\f") == std::string_view::npos;
@@ -122,8 +123,8 @@ std::array<double, 3> offset_of(const Joint& joint) {
   return offset;
 }
 
-/// The columns of a joint in an order in which its rotations act as BVH reads them: as they stand,
-/// but for rotations that stand in another order than they act.
+/// The columns of a joint in BVH's order, in which rotations are applied in column order: the
+/// existing order, except for rotations whose columns have another order.
 std::vector<std::size_t> ordered_columns(const Joint& joint, std::vector<std::size_t> columns) {
   std::vector<std::size_t> rotations;  // the columns of rotations, outermost first
   for (const DegreeOfFreedom& dof : joint.dofs) {

@@ -14,7 +14,7 @@ Timeline timeline_of(SeqComponent& component, std::optional<double> fps) {
   return {FrameTimes{std::move(component.times), rate}, 0};
 }
 
-/// Brings quaternions with w last into the order w x y z.
+/// Converts quaternions with w last to the order w x y z.
 void put_w_first(Array<double>& array) {
   const std::span<double> values = array.mutate();
   for (std::size_t i = 0; i + 7 <= values.size(); i += 7) {
@@ -39,7 +39,7 @@ Component bind_component(SeqComponent&& from, std::optional<double> fps, int ver
     component.pose_form = is_rpy ? PoseForm::RollPitchYaw : PoseForm::Quaternion;
     if (from.pose_order == PoseOrder::QuaternionWLast) put_w_first(component.values);
   }
-  // In format version 1 the name alone tells what ZMP is relative to.
+  // In format version 1 only the name shows what ZMP is relative to.
   const bool is_called_relative = from.content == "RelativeZMP" || from.content == "RelativeZmp";
   if (is_called_relative) component.is_root_relative = true;
   if (version < 2 && from.content == "ZMP") component.is_root_relative = false;

@@ -10,32 +10,33 @@
 
 namespace kinefile::choreonoid {
 
-/// What a document keeps of a .seq file.
+/// The data that a document keeps from a .seq file.
 struct KeptFile {
   TextLayout text;
-  std::string version;  ///< as it is spelt; empty where it is not said
+  std::string version;  ///< as spelled in the file; empty if it is missing
   bool is_snake_case = false;
   bool is_json = false;
   bool has_comments = false;
   std::string unknown_keys;  ///< as YAML lines
 };
 
-/// What a component keeps of one.
+/// The data that a component keeps from a .seq file.
 struct KeptComponent {
-  std::string type;                                    ///< as it is spelt
-  std::string content;                                 ///< as it is spelt
+  std::string type;                                    ///< as spelled in the file
+  std::string content;                                 ///< as spelled in the file
   PoseOrder pose_order = PoseOrder::QuaternionWFirst;  ///< of poses
   std::string unknown_keys;                            ///< as YAML lines
-  std::string text;  ///< of a component of unknown type, all of it
+  std::string text;  ///< the whole text of a component of unknown type
 };
 
-/// What is kept of a .seq file; what its components keep comes with them.
+/// The data kept from a .seq file; its components keep their own data.
 KeptFile kept_of(const SeqFile& file, const TextLayout& text);
 
-/// What a .seq file means. \param fps  instead of the rates that it says
+/// The body motion of a .seq file.
+/// \param fps  replaces the rates in the file
 BodyMotion bind(SeqFile&& file, std::optional<double> fps);
 
-/// What its content is called here, whatever the format version calls it.
+/// The name of its content in kinefile, whatever its name in the format version.
 std::string_view usual_content(const SeqComponent& component);
 
 /// The word for an order of a pose's numbers, "XYZRPY".

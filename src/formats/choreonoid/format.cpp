@@ -42,7 +42,7 @@ constexpr std::array<ReadOption, 4> kReadOptions = {
     }),
 };
 
-/// An option of writing .seq alone.
+/// An option for writing .seq only.
 template <auto Member>
 constexpr WriteOption seq_option(const OptionInfo& info) {
   return words::format_option<kinefile::WriteOptions, Member>(info);
@@ -110,7 +110,7 @@ bool probe(std::string_view head) {
   return false;
 }
 
-/// Tells of components that stand twice: Choreonoid takes the last.
+/// Reports repeated components: Choreonoid uses the last.
 void check_repeated(const Reader& reader, const SeqFile& file) {
   std::set<std::pair<ComponentKind, std::string_view>> seen;
   for (const SeqComponent& component : file.components) {
@@ -125,7 +125,7 @@ void check_repeated(const Reader& reader, const SeqFile& file) {
   }
 }
 
-/// Tells of contents that are kept and mean nothing to kinefile.
+/// Reports contents that are kept but not interpreted by kinefile.
 void note_contents(const Reader& reader, const SeqFile& file) {
   constexpr std::array<std::string_view, 9> kKnown = {"JointDisplacement",
                                                       "JointPosition",
@@ -156,7 +156,7 @@ void note_contents(const Reader& reader, const SeqFile& file) {
   }
 }
 
-/// Tells of a motion of neither joints nor links, which Choreonoid does not survive.
+/// Reports a motion without joints and links, with which Choreonoid crashes.
 void check_motion(const Reader& reader, const SeqFile& file) {
   const auto is_motion = [](const SeqComponent& component) {
     const std::string_view content = usual_content(component);
@@ -168,7 +168,7 @@ void check_motion(const Reader& reader, const SeqFile& file) {
   reader.warn_rejected("there are neither joint displacements nor poses of links", at);
 }
 
-/// Tells of names that Choreonoid does not survive.
+/// Reports names with which Choreonoid crashes.
 void check_names(const Reader& reader, const SeqFile& file) {
   for (const SeqComponent& component : file.components) {
     if (component.kind == ComponentKind::Other) continue;

@@ -19,7 +19,7 @@ using text::yaml::find;
 using text::yaml::Node;
 using text::yaml::NodeKind;
 
-/// A key, as versions below 4 spell it and as version 4 does.
+/// A key, in the spelling of versions below 4 and in that of version 4.
 struct Key {
   std::string_view camel;
   std::string_view snake;
@@ -69,7 +69,7 @@ std::string keep_unknown(const Reader& reader, const Node& node) {
   return lines;
 }
 
-/// Reads one component, which may leave keys to the top of the file.
+/// Reads one component; missing keys may be at the top of the file.
 class ComponentParser {
  public:
   ComponentParser(const Reader& reader, const Node& top, const Node& node, const SeqFile& file)
@@ -95,7 +95,7 @@ class ComponentParser {
   }
 
  private:
-  /// The component's own value, or the one that stands at the top.
+  /// The component's own value, or the one at the top.
   const Node* value(const Key& key) const {
     const Node* own = find_key(node_, key);
     return own != nullptr ? own : find_key(top_, key);
@@ -108,7 +108,7 @@ class ComponentParser {
 
   void parse_content() {
     component_.content = word(kContent);
-    // `purpose` is what the oldest files say.
+    // The oldest files have `purpose`.
     const bool has_own = find_key(node_, kContent) != nullptr;
     if (!has_own && find_key(node_, kPurpose) != nullptr) {
       component_.content = word(kPurpose);
@@ -236,7 +236,7 @@ class ComponentParser {
                   node.at);
   }
 
-  /// The truth value of a key; nothing where it has none.
+  /// The truth value of a key; empty if it has none.
   std::optional<bool> boolean(const Key& key) const {
     constexpr std::array<std::string_view, 4> kTrue = {"true", "yes", "on", "y"};
     constexpr std::array<std::string_view, 4> kFalse = {"false", "no", "off", "n"};
@@ -262,7 +262,7 @@ class ComponentParser {
     }
   }
 
-  /// \param knows_shape  whether the keys before them say what a frame looks like
+  /// \param knows_shape  whether the keys before them define the shape of a frame
   void parse_frames(bool knows_shape) {
     const Node* frames = find(node_, "frames");
     if (frames == nullptr || frames->kind != NodeKind::Sequence) {
@@ -276,7 +276,7 @@ class ComponentParser {
     if (!has_frames) reader_.warn_rejected("there are no frames", frames->at);
     const bool has_times = component_.has_times && has_frames;
     if (!has_times && !component_.frame_rate && !reader_.options.fps) {
-      const bool was_given = value(kRate) != nullptr;  // then it has been reported
+      const bool was_given = value(kRate) != nullptr;  // in this case it has been reported
       if (!was_given) {
         reader_.error(code::kNoRate,
                       "expected frameRate, here or at the top of the file, found none; --fps says "

@@ -17,10 +17,10 @@ using text::yaml::NodeKind;
 using text::yaml::RowEntries;
 using text::yaml::RowShape;
 
-/// More parts than any file has; with more, there are no frames (see `parse_frames`).
+/// More parts than any file has; with more than this, no frames are read (see `parse_frames`).
 constexpr std::size_t kMostParts = std::size_t{1} << 30;
 
-/// The parts that frames may have without any number to see.
+/// The largest number of parts if the frames contain no numbers.
 constexpr std::size_t kMostUnseenParts = 10'000;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ std::optional<double> parse_hexadecimal(std::string_view text) {
   return is_negative ? -value : value;
 }
 
-/// The number that a text starts with, as C's strtod finds it.
+/// The number at the start of a text, as C's strtod reads it.
 std::optional<double> leading_number(std::string_view text) {
   for (std::size_t length = std::min<std::size_t>(text.size(), 400); length > 0; --length) {
     const auto number = text::parse_number(text.substr(0, length));
@@ -51,7 +51,7 @@ std::optional<double> leading_number(std::string_view text) {
   return std::nullopt;
 }
 
-/// YAML's own words for what is not finite.
+/// YAML's own words for values that are not finite.
 std::optional<double> parse_yaml_word(std::string_view text) {
   const bool is_negative = text.starts_with("-.");
   if (is_negative || text.starts_with("+.")) text.remove_prefix(1);
@@ -61,7 +61,7 @@ std::optional<double> parse_yaml_word(std::string_view text) {
   return std::nullopt;
 }
 
-/// How many numbers, at most, the first frame holds; 0 if there is no list of them.
+/// The largest possible count of numbers in the first frame; 0 if it is not a list.
 std::size_t numbers_in_first_frame(const Reader& reader, const Node& frames) {
   const Node* first = frames.children.empty() ? nullptr : frames.children.front();
   if (frames.rows) {
@@ -149,7 +149,7 @@ class FrameReader {
     ++component_.num_frames;
   }
 
-  /// Whether a pose that stands alone lacks the brackets of the list that it is alone in.
+  /// Whether a single pose lacks the brackets of the list around it.
   bool is_flat_pose(const RowShape& shape, const char* at) const {
     if (component_.kind != ComponentKind::Poses || component_.num_parts != 1) return false;
     const auto size = static_cast<std::int32_t>(width_ + (component_.has_times ? 1 : 0));
@@ -167,7 +167,7 @@ class FrameReader {
                   fmt::format("expected {}, found {}", words_of(shape_), words_of(shape)), at);
   }
 
-  /// A shape in words: "a time and 2 poses of 7 numbers each".
+  /// A shape as text: "a time and 2 poses of 7 numbers each".
   std::string words_of(const RowShape& shape) const {
     const auto numbers = [](std::int64_t count) {
       return fmt::format("{} number{}", count, count == 1 ? "" : "s");
@@ -190,7 +190,7 @@ class FrameReader {
     return text.empty() ? "nothing" : text;
   }
 
-  /// Reads a frame that is no row of plain numbers.
+  /// Reads a frame that is not a row of plain numbers.
   void read_node(const Node& frame) {
     if (frame.kind != NodeKind::Sequence) {
       reader_.error(code::kBadFrame,
@@ -215,7 +215,7 @@ class FrameReader {
     ++component_.num_frames;
   }
 
-  /// Gathers the numbers of a frame and its shape. False after an error.
+  /// Collects the numbers of a frame and its shape. False after an error.
   bool collect(const Node& list, RowShape& shape, std::vector<double>& values, bool is_outer) {
     if (list.rows) return collect_rows(list, shape, values, is_outer);
     bool is_good = true;
@@ -243,7 +243,7 @@ class FrameReader {
     return is_good;
   }
 
-  /// A frame written as a block list, the poses of which are rows.
+  /// Collects a frame that is a block list whose poses are rows.
   bool collect_rows(const Node& list, RowShape& shape, std::vector<double>& values, bool is_outer) {
     bool is_good = is_outer;
     const double* next = list.rows->values.data();
@@ -287,7 +287,7 @@ class FrameReader {
   const Reader& reader_;
   SeqComponent& component_;
   std::size_t width_;
-  RowShape shape_;  ///< of a frame that is as it should be
+  RowShape shape_;  ///< of a correct frame
 };
 
 }  // namespace
@@ -353,7 +353,7 @@ std::optional<double> read_number(const Reader& reader, const Node& node) {
 }
 
 void parse_frames(const Reader& reader, const Node& frames, SeqComponent& component) {
-  // A count is a claim: it may not be what memory is taken for.
+  // A count in the file is not trusted: memory is not allocated by it.
   const std::size_t num_numbers = numbers_in_first_frame(reader, frames);
   if (component.num_parts > (num_numbers > 0 ? num_numbers : kMostUnseenParts)) {
     reader.error(code::kBadFrame,

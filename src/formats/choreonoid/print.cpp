@@ -64,7 +64,7 @@ class SeqPrinter {
   }
   std::string key(std::string_view name) const { return key(name, name); }
 
-  /// A word as a value: quoted where YAML would take it for something else.
+  /// A word as a value: quoted if YAML would read it as something else.
   std::string word(std::string_view text) const {
     const bool is_plain =
         !file_.is_json && !text.empty() &&
@@ -73,7 +73,7 @@ class SeqPrinter {
     return is_plain ? std::string(text) : text::json_string(text);
   }
 
-  /// A key and its value, on a line of its own in blocks.
+  /// A key and its value; in block style on a separate line.
   void entry(std::size_t indent, const std::string& name, const std::string& value) {
     line(indent, fmt::format("{}: {}{}", name, value, file_.is_json ? "," : ""));
   }
@@ -141,7 +141,8 @@ class SeqPrinter {
     const std::string num_parts = fmt::format("{}", component.num_parts);
     entry(indent, key("type"), word(printed.type));
     entry(indent, key("content"), word(printed.content));
-    // The format's document has the number of parts first, Choreonoid's own files have it later.
+    // The number of parts comes first in the format's document, but later in Choreonoid's own
+    // files.
     const bool has_parts_first = file_.version < 3;
     if (has_parts && has_parts_first) entry(indent, key("numParts", "num_parts"), num_parts);
     if (printed.frame_rate > 0) {

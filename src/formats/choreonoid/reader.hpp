@@ -14,7 +14,7 @@
 
 namespace kinefile::choreonoid {
 
-/// What all parts of the reader work with.
+/// The data that all parts of the reader use.
 struct Reader {
   const text::Source& source;
   text::yaml::Tree& tree;
@@ -30,14 +30,14 @@ struct Reader {
   void warn(const char* code, std::string message, const char* at) const {
     tell(Severity::Warning, code, std::move(message), at);
   }
-  /// An error, or with --lenient a warning that says what is done instead. True for the latter.
+  /// Reports an error, or with --lenient a warning that describes the repair. True for the latter.
   bool repair(const char* code, std::string message, std::string_view repair, const char* at) const;
-  /// A warning that Choreonoid does not take what is read here.
+  /// A warning that Choreonoid does not accept this input.
   void warn_rejected(std::string_view why, const char* at) const;
 };
 
-/// Reads a node as a number: decimal or hexadecimal; nan, inf and what is too large for a double
-/// with a warning. Nothing after an error.
+/// Reads a node as a number: decimal or hexadecimal; nan, inf and numbers too large for a double
+/// with a warning. Empty after an error.
 std::optional<double> read_number(const Reader& reader, const text::yaml::Node& node);
 
 /// Reads a file. Errors are in the reader's diagnostics.
@@ -46,10 +46,10 @@ SeqFile parse(const Reader& reader);
 /// Reads the frames of a component whose other keys are known.
 void parse_frames(const Reader& reader, const text::yaml::Node& frames, SeqComponent& component);
 
-/// Makes the frames that the file gave with their times a steady sequence.
+/// Converts frames with times to a steady rate.
 void resample_timed(const Reader& reader, SeqComponent& component);
 
-/// Tells of times that frames cannot keep: each is to be above the one before.
+/// Reports times that frames cannot keep: each must be above the one before.
 void check_kept_times(const Reader& reader, const SeqComponent& component);
 
 }  // namespace kinefile::choreonoid

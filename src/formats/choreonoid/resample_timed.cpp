@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames that carry their times become frames of a steady rate. Source: the format document, "timed
-// frames": a frame goes to the first one at or after its time and holds until the next.
+// Frames with times become frames at a steady rate. Source: the format document, "timed frames": a
+// frame is moved to the first one at or after its time and holds until the next.
 
 #include <fmt/format.h>
 
@@ -15,10 +15,11 @@
 namespace kinefile::choreonoid {
 namespace {
 
-/// How far, in periods, a time may lie behind a frame and still be its own.
+/// The largest delay of a time after a frame, in periods, at which it still belongs to this frame.
 constexpr double kTolerance = 1e-9;
 
-/// The frames that a timed component may become, so that one absurd time takes no memory.
+/// The largest number of values of a converted component, so that one absurd time cannot exhaust
+/// memory.
 constexpr double kMostValues = 1 << 26;
 
 struct Steady {
@@ -170,7 +171,7 @@ class Resampler {
     }
   }
 
-  /// Sets the rotation of a pose between two others; its numbers are between theirs already.
+  /// Sets the rotation of a pose between two others; its other numbers are already interpolated.
   static void turn(PoseOrder order, std::span<const double> a, std::span<const double> b, double t,
                    std::span<double> out) {
     const auto rotation = [order](std::span<const double> pose) {

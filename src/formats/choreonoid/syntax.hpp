@@ -10,18 +10,18 @@
 
 namespace kinefile::choreonoid {
 
-/// How the file orders the numbers of a pose.
+/// The order of a pose's numbers in the file.
 enum class PoseOrder {
   QuaternionWFirst,  ///< XYZQWQXQYQZ
   QuaternionWLast,   ///< XYZQXQYQZQW
   RollPitchYaw,      ///< XYZRPY
 };
 
-/// What one component of a .seq file said. Keys that it inherits from the top are its own here.
+/// The content of one component of a .seq file. Keys that it inherits from the top are included.
 struct SeqComponent {
   const char* at = nullptr;
-  std::string type;     ///< as it is spelt
-  std::string content;  ///< as it is spelt
+  std::string type;     ///< as spelled in the file
+  std::string content;  ///< as spelled in the file
   ComponentKind kind = ComponentKind::Values;
   std::size_t num_parts = 1;
   std::optional<double> frame_rate;
@@ -30,15 +30,15 @@ struct SeqComponent {
   bool has_times = false;
   std::size_t num_frames = 0;
   Array<double> values;                  ///< in the file's order
-  std::vector<double> times;             ///< seconds, one a frame
-  std::vector<const char*> time_places;  ///< where each stands
+  std::vector<double> times;             ///< seconds, one per frame
+  std::vector<const char*> time_places;  ///< the place of each
   std::string unknown_keys;              ///< as YAML lines
-  std::string text;                      ///< of a component of unknown type, all of it
+  std::string text;                      ///< the whole text of a component of unknown type
 };
 
-/// What a .seq file said.
+/// The content of a .seq file.
 struct SeqFile {
-  std::string version;  ///< as it is spelt; empty where it is not said
+  std::string version;  ///< as spelled in the file; empty if it is missing
   int major = 1;
   bool is_snake_case = false;
   bool is_json = false;

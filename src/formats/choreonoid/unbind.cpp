@@ -21,7 +21,7 @@ std::string_view usual_type(ComponentKind kind) {
   return kTypes[static_cast<std::size_t>(kind)];
 }
 
-/// What a content is called in a format version.
+/// The name of a content in a format version.
 std::string usual_word(const Component& component, int version) {
   const std::string& content = component.content;
   if (component.kind == ComponentKind::Values && content == kJointDisplacement) {
@@ -36,7 +36,7 @@ std::string usual_word(const Component& component, int version) {
   return content;
 }
 
-/// Whether the word of the file still says what the component is.
+/// Whether the word from the file still describes the component.
 bool is_still_true(const std::string& word, const Component& component, int version) {
   if (component.kind != ComponentKind::Vectors || component.content != kZmp) return true;
   const bool is_called_relative = word == "RelativeZMP" || word == "RelativeZmp";
@@ -64,7 +64,7 @@ Array<double> as_quaternions(const Component& component) {
   return values;
 }
 
-/// Chooses how poses are written, and brings them into that form.
+/// Chooses how poses are written, and converts them to that form.
 void settle_poses(PrintedComponent& printed, int version, const WriteOptions& options,
                   Diagnostics& diagnostics) {
   const Component& component = *printed.component;
@@ -86,7 +86,7 @@ void settle_poses(PrintedComponent& printed, int version, const WriteOptions& op
   }
 }
 
-/// The rate that is written beside frames' own times which came without one.
+/// The rate that is written for frames with times of their own but no rate.
 Result<double> rate_beside_times(const Component& component, Diagnostics& diagnostics) {
   const auto steady = steady_rate(own_times(component.timeline));
   if (!steady) {

@@ -8,8 +8,8 @@
 
 namespace kinefile::choreonoid {
 
-/// How a document is to be written. It must live as long as what is returned.
-/// \errors SEQ027 if the document is no body motion, or has a rate that cannot be written
+/// The content of the file for a document. The document must outlive the result.
+/// \errors SEQ027 if the document is not a body motion, or has a rate that cannot be written
 Result<PrintedFile> unbind(const Document& document, const WriteOptions& options,
                            Diagnostics& diagnostics);
 

@@ -26,7 +26,8 @@ std::pair<std::string, std::string> split_name(const std::string& header) {
   return {header.substr(0, dot), channel};
 }
 
-/// What the values of a column are: JointEffort3 is one of JointEffort, all else a joint's own.
+/// The content of a column's values: JointEffort3 belongs to JointEffort, any other name is a joint
+/// value.
 std::string content_of(const std::string& name) {
   constexpr std::array<std::string_view, 6> kContents = {"JointVelocity", "JointAcceleration",
                                                          "JointEffort",   "JointTorque",
@@ -52,7 +53,7 @@ Group& group_of(std::vector<Group>& groups, ComponentKind kind, const std::strin
   return groups.back();
 }
 
-/// How many columns from one on are the x, y, z, qw, ... of the same name.
+/// The number of consecutive columns that are x, y, z, qw, ... of the same name.
 std::size_t count_of_pose_channels(const std::vector<text::CsvField>& header, std::size_t first) {
   const std::string name = split_name(header[first].text).first;
   std::size_t count = 0;
@@ -64,8 +65,8 @@ std::size_t count_of_pose_channels(const std::vector<text::CsvField>& header, st
   return count;
 }
 
-/// Puts the component that begins with a column into its group. Returns how many columns it has,
-/// 0 after an error.
+/// Adds the component that begins at a column to its group.
+/// \returns its number of columns; 0 after an error
 std::size_t take_columns(const TableReader& reader, const std::vector<text::CsvField>& header,
                          std::size_t first, std::vector<Group>& groups) {
   const auto split = split_name(header[first].text);
@@ -109,7 +110,7 @@ std::size_t take_columns(const TableReader& reader, const std::vector<text::CsvF
   return count;
 }
 
-/// Groups columns by what they are of. Empty after an error.
+/// Groups columns by component. Empty after an error.
 std::vector<Group> grouped(const TableReader& reader, const std::vector<text::CsvField>& header) {
   if (lowered(header[0].text) != "time" || header.size() < 2) {
     reader.error("CSV002",
@@ -130,8 +131,8 @@ std::vector<Group> grouped(const TableReader& reader, const std::vector<text::Cs
   return groups;
 }
 
-/// The ids of a robot's joints by their names, and by the names of their links; those that no joint
-/// has by names such as "joint3".
+/// The ids of a robot's joints by their names, and by the names of their links; ids without a joint
+/// have names such as "joint3".
 std::map<std::string, std::size_t> ids_of(const Skeleton& skeleton) {
   const auto columns = value_columns(skeleton);
   std::map<std::string, std::size_t> ids;
@@ -151,7 +152,7 @@ std::map<std::string, std::size_t> ids_of(const Skeleton& skeleton) {
   return ids;
 }
 
-/// Brings columns of joints into the order of the robot's joint ids.
+/// Puts columns of joints in the order of the robot's joint ids.
 void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& header,
                   Group& group) {
   const Skeleton& robot = skeleton_of(*reader.options.skeleton);
@@ -188,10 +189,10 @@ void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& 
                  header[0].at);
   }
   group.columns = std::move(ordered);
-  group.names.clear();  // the robot has them
+  group.names.clear();  // the robot has the names
 }
 
-/// The fields without blanks around their texts.
+/// The fields without the blanks around their texts.
 std::vector<text::CsvField> without_blanks(std::vector<text::CsvField> fields) {
   for (text::CsvField& field : fields) {
     while (!field.text.empty() && text::is_blank(field.text.back())) field.text.pop_back();
@@ -201,7 +202,7 @@ std::vector<text::CsvField> without_blanks(std::vector<text::CsvField> fields) {
   return fields;
 }
 
-/// Whether the skeleton is a robot's, with joints that have ids.
+/// Whether the skeleton is that of a robot whose joints have ids.
 bool has_joint_ids(const kinefile::ReadOptions& options) {
   if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
   const Skeleton& skeleton = skeleton_of(*options.skeleton);

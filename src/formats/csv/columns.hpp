@@ -12,7 +12,7 @@
 
 namespace kinefile::csv {
 
-/// What a table that is read has besides its rows.
+/// The context of reading a table.
 struct TableReader {
   const text::Source& source;
   const kinefile::ReadOptions& options;
@@ -21,7 +21,7 @@ struct TableReader {
   void error(const char* code, std::string message, const char* at) const {
     text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
   }
-  /// Whether quotes are as they should be so far; else that is told.
+  /// Whether all quotes so far are correct; reports a fault.
   bool are_quotes_good(const text::CsvFields& fields) const {
     if (fields.fault() == nullptr) return true;
     const bool is_opening = *fields.fault() == '"';
@@ -33,7 +33,7 @@ struct TableReader {
   }
 };
 
-/// No column: a value that the table does not have and that rests.
+/// No column: the table does not have this value, so it is at rest or follows another value.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 /// A part without a column whose joint follows another's (see `following_columns`).
@@ -47,13 +47,13 @@ struct FollowingPart {
 struct Group {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
-  std::vector<std::size_t> columns;  ///< `kNoColumn` for values that are 0 or follow
-  std::vector<std::string> names;    ///< of joints and links, one a part
+  std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is 0, or follows
+  std::vector<std::string> names;    ///< of joints and links, one per part
   std::vector<FollowingPart> following = {};
 };
 
-/// Finds out what the columns are by the header; joints go to their ids by their names where
-/// `options.skeleton` tells them. Empty after an error.
+/// Determines the columns from the header. If `options.skeleton` is given, joints are matched to
+/// ids by name. Empty after an error.
 std::vector<Group> parse_header(const TableReader& reader,
                                 const std::vector<text::CsvField>& header);
 

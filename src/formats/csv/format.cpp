@@ -88,7 +88,7 @@ Format format() {
   format.takes_skeleton = true;
   format.conventions.writes = kWrites;
   format.conventions.has_columns_of_components = true;
-  // A table has a row a pose, each with its next and break.
+  // A table has one row per pose, each with its next and break.
   format.conventions.flow_format = FlowFormat::WordN;
   format.read_options = kReadOptions;
   format.write_options = kWriteOptions;

@@ -5,8 +5,8 @@
 
 namespace kinefile::csv {
 
-/// Comma-separated values (RFC 4180): a row a frame, a column a coordinate. Tables of robots are
-/// read, too.
+/// Comma-separated values (RFC 4180): one row per frame, one column per coordinate. Tables of
+/// robots are read, too.
 Format format();
 
 }  // namespace kinefile::csv

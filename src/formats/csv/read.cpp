@@ -83,7 +83,7 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   return component;
 }
 
-/// Reads the components of a robot's motion behind a header; empty after an error.
+/// Reads the components of a robot's motion after a header; empty after an error.
 std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& fields,
                                     const std::vector<text::CsvField>& header) {
   const std::vector<Group> groups = parse_header(reader, header);

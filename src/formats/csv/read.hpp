@@ -6,8 +6,8 @@
 namespace kinefile::csv {
 
 /// Reads a table of a robot's motion: `time`, then `NAME.q` or NAME of joints in order of their
-/// ids, `NAME.x` to `NAME.qz` of links, `NAME.x` to `NAME.z` of points; a row a frame. Or one of a
-/// flow of servo poses, see flow_table.hpp.
+/// ids, `NAME.x` to `NAME.qz` of links, `NAME.x` to `NAME.z` of points; one row per frame. Also
+/// reads a flow of servo poses, see flow_table.hpp.
 Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kTime = "time", kNext = "next", kBreak = "break", kSound = "sound";
 
-/// What a column holds.
+/// The content of a column.
 struct Column {
   std::string_view word;  ///< one of the above; empty: a slider
   std::size_t slider = kNoColumn;
@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The column of a name; empty if a flow has none of it.
+/// The column for a name; empty if a flow has no such column.
 std::optional<Column> column_of(std::string_view name, const RobotProject* project) {
   for (std::size_t s = 0; project != nullptr && s < project->sliders.size(); ++s) {
     if (s < max_sliders(FlowFormat::WordN) && project->sliders[s].name == trimmed(name)) {
@@ -46,7 +46,7 @@ std::optional<Column> column_of(std::string_view name, const RobotProject* proje
 
 bool is_of_16_bits(double value) { return value >= -32768 && value <= 32767; }
 
-/// Where a row says its arrows.
+/// The places of a row's arrows.
 struct Arrows {
   const char* normal = nullptr;
   const char* branch = nullptr;
@@ -157,7 +157,7 @@ class FlowReader {
     return token.empty() ? "nothing" : text::quoted(token);
   }
 
-  /// A pose's number, or -1; nothing is what `nothing` says.
+  /// A pose's number, or -1; an empty field gives `nothing`.
   int arrow(const text::CsvField& field, int nothing) {
     if (trimmed(field.text).empty()) return nothing;
     constexpr int kMost = 100'000'000;
@@ -217,7 +217,7 @@ class FlowReader {
           at);
   }
 
-  /// Arrows that the table leaves open go to the next row; all must lead to a pose.
+  /// Sets arrows that the table leaves open to the next row; all must lead to a pose.
   void settle_arrows() {
     const int count = static_cast<int>(flow_.blocks.size());
     for (int i = 0; i < count; ++i) {

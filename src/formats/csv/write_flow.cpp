@@ -11,10 +11,10 @@
 namespace kinefile::csv {
 namespace {
 
-/// How words become fields.
+/// Converts words to fields.
 struct WordPrinter {
   const RobotProject* project = nullptr;  ///< null: as words
-  std::vector<std::int16_t> base;         ///< that degrees count from; missing: 0
+  std::vector<std::int16_t> base;         ///< the words at which degrees are 0; missing: 0
 
   void print(text::Printer& printer, const SliderWord& word, std::size_t slider) const {
     const bool has_degrees = project != nullptr && word.is_enabled &&

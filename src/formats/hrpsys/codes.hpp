@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The codes of diagnostics; docs/errors.md has the cause and the cure of each.
+// The codes of diagnostics; docs/errors.md gives the cause and cure of each.
 namespace kinefile::hrpsys::code {
 
 inline constexpr const char* kNotANumber = "HRP001";

@@ -23,7 +23,7 @@ const Component* component_of(const BodyMotion& motion, std::string_view part) {
   return find_component(motion, ComponentKind::Poses, kLinkPosition);
 }
 
-/// The first link of poses alone, as x y z roll pitch yaw.
+/// Only the first link of poses, as x y z roll pitch yaw.
 Component root_angles(const Component& links) {
   Component root = links;
   root.num_parts = std::min<std::size_t>(links.num_parts, 1);

@@ -5,8 +5,8 @@
 
 namespace kinefile::hrpsys {
 
-/// A set of text files of one stem, as hrpsys and Choreonoid exchange them: .pos (joints), .waist
-/// (the root's pose), .hip (its roll, pitch and yaw), .zmp (relative to the root).
+/// A set of text files with a common stem, which hrpsys and Choreonoid exchange: .pos (joints),
+/// .waist (the root's pose), .hip (its roll, pitch and yaw), .zmp (relative to the root).
 Format format();
 
 }  // namespace kinefile::hrpsys

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kPositionAlone = 3;
 constexpr std::size_t kPositionAndAngles = 6;
 constexpr std::size_t kPositionAndMatrix = 12;
-/// How far the product of a rotation matrix and its transpose may be from the identity: what the
-/// six digits leave that such files have.
+/// How far the product of a rotation matrix and its transpose may be from the identity: the
+/// rounding error of six digits in such files.
 constexpr double kRotationTolerance = 1e-3;
 
 /// A file of the set, decoded.
@@ -38,7 +38,7 @@ class SetReader {
 
   /// Reads one file of the set. False after an error.
   bool add(const std::string& extension, CompanionFile file) {
-    Part& part = parts_[extension];  // where it stays, since the table points into the text
+    Part& part = parts_[extension];  // its final place, because the table points into the text
     part.file = std::move(file);
     auto decoded = text::decode(part.file.bytes, options_.encoding, part.file.name, diagnostics_);
     if (!decoded) {
@@ -52,7 +52,7 @@ class SetReader {
     return table.has_value();
   }
 
-  /// The components of all files. Wrong if errors were reported.
+  /// The components of all files. Not valid if errors were reported.
   BodyMotion motion() {
     BodyMotion motion;
     if (const Part* joints = part(".pos")) {
@@ -70,7 +70,7 @@ class SetReader {
     return motion;
   }
 
-  /// What the file that was named is like.
+  /// The layout of the file that was named.
   TextLayout layout(const std::string& extension) const {
     return layout_of(parts_.at(extension).decoded);
   }
@@ -112,7 +112,7 @@ class SetReader {
     }
   }
 
-  /// The root's pose, of .waist, of .hip, or of both.
+  /// Adds the root's pose from .waist, from .hip, or from both.
   void add_root(BodyMotion& motion) {
     const Part* waist = part(".waist");
     const Part* hip = part(".hip");
@@ -149,7 +149,7 @@ class SetReader {
     }
   }
 
-  /// Whether two files have the same times, to what a few digits leave of them.
+  /// Whether two files have the same times, within the rounding of a few digits.
   static bool have_same_times(const Table& a, const Table& b) {
     if (a.num_frames() != b.num_frames()) return false;
     const std::size_t last = a.num_frames() - 1;
@@ -166,7 +166,7 @@ class SetReader {
            "expected the times of the .waist file, row by row, found others");
   }
 
-  /// Positions of one file, angles of another; what is missing is 0.
+  /// Adds positions from one file and angles from another; missing values are 0.
   static void add_angles(Component& component, const Part* positions, const Part* angles) {
     component.pose_form = PoseForm::RollPitchYaw;
     component.values.assign(component.num_frames * kPositionAndAngles, 0.0);

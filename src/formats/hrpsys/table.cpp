@@ -13,7 +13,7 @@
 namespace kinefile::hrpsys {
 namespace {
 
-/// Numbers that are read at a time.
+/// The number of values that are read at a time.
 constexpr std::size_t kPiece = 256;
 
 struct TableParser {
@@ -24,7 +24,8 @@ struct TableParser {
     text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
   }
 
-  /// Appends the numbers of a line; null after an error, else where the next line starts.
+  /// Appends the numbers of a line.
+  /// \returns the start of the next line; null after an error
   const char* parse_row(const char* p, std::vector<double>& values) {
     std::array<double, kPiece> piece;
     while (true) {

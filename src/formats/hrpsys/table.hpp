@@ -12,21 +12,21 @@
 
 namespace kinefile::hrpsys {
 
-/// One file of a set: a row a frame, its time and numbers.
+/// One file of a set: one row per frame, with its time and numbers.
 struct Table {
   TableRows rows;
   Timeline timeline;
 
   std::size_t num_frames() const { return rows.starts.size(); }
-  /// The numbers of a row behind its time, which stands before the first of them.
+  /// The number of values in a row after its time, which comes first.
   std::size_t num_values() const { return rows.num_columns - 1; }
   const double* row(std::size_t frame) const {
     return rows.values.data() + frame * rows.num_columns + 1;
   }
 };
 
-/// Reads one file. Lines that start with # are left out. Empty after an error, which is then in
-/// `diagnostics`; a file without rows is one.
+/// Reads one file. Lines that start with # are skipped. Empty after an error, which is then in
+/// `diagnostics`; a file without rows is an error.
 std::optional<Table> parse_table(const text::Source& source, std::optional<double> fps,
                                  Diagnostics& diagnostics);
 

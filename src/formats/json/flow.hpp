@@ -6,7 +6,7 @@
 
 namespace kinefile::json {
 
-/// Prints a flow of servo poses with all that its blocks say: docs/formats/json.md.
+/// Prints a flow of servo poses with all settings of its blocks: docs/formats/json.md.
 void print_flow(text::Printer& printer, const PoseFlow& flow);
 
 }  // namespace kinefile::json

@@ -114,7 +114,7 @@ std::string_view type_name(ComponentKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// A frame: numbers of values and of a vector, arrays of a frame's poses with their quaternions.
+/// Prints a frame: numbers for values and vectors, arrays for poses with their quaternions.
 void print_frame(text::Printer& printer, const Component& component, std::size_t frame) {
   const auto row = component.row(frame);
   if (component.kind != ComponentKind::Poses) {
@@ -149,7 +149,7 @@ void print_component(text::Printer& printer, const Component& component) {
   printer.print('}');
 }
 
-/// Prints the components whose frames kinefile knows.
+/// Prints the components whose frames kinefile interprets.
 void print_body_motion(text::Printer& printer, const BodyMotion& motion, Diagnostics& diagnostics) {
   std::vector<const Component*> known;
   for (const Component& component : motion.components) {

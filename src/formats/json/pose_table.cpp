@@ -18,7 +18,7 @@ bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink
   const std::size_t num_frames = poses.num_frames;
   text::Printer printer(sink);
   const auto frame_of = [&](std::size_t i) { return poses.first_frame + i * poses.frame_step; };
-  // One array of arrays, [frame][row], whose innermost part is made by `print_part`.
+  // One array of arrays, [frame][row]; `print_part` prints the innermost part.
   const auto print_table = [&](const auto& print_part) {
     json::print_elements(printer, num_frames, ",\n  ", [&](std::size_t i) {
       json::print_elements(printer, rows.size(), ",",

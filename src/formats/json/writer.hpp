@@ -8,7 +8,7 @@
 
 namespace kinefile::json {
 
-/// Prints a number; what JSON has no number for becomes a string: "nan", "inf", "-inf".
+/// Prints a number; values that JSON has no number for become strings: "nan", "inf", "-inf".
 inline void print_number(text::Printer& printer, double number) {
   const bool is_number = std::isfinite(number);
   if (!is_number) printer.print('"');

@@ -12,7 +12,7 @@ bool may_branch(const Block& block) {
          std::holds_alternative<BranchBlock>(block.body);
 }
 
-/// Whether an arrow leads to a block or nowhere; tells of those that do not.
+/// Whether an arrow leads to a block or is -1; reports others.
 bool check_arrow(const Reader& reader, int arrow, std::size_t num_blocks, std::string_view name,
                  const char* at) {
   if (at == nullptr || (arrow >= kNoBlock && arrow < static_cast<int>(num_blocks))) return true;
@@ -23,7 +23,7 @@ bool check_arrow(const Reader& reader, int arrow, std::size_t num_blocks, std::s
   return false;
 }
 
-/// Tells of arrows of a block to itself and of a branch that it cannot have.
+/// Reports arrows from a block to itself, and a branch that it cannot have.
 void check_ways(const Reader& reader, const PoseFlow& flow, std::size_t number,
                 const BlockPlaces& places) {
   const Block& block = flow.blocks[number];
@@ -53,7 +53,7 @@ void check_arrows(const Reader& reader, FlowFile& file) {
   for (std::size_t b = 0; b < count; ++b) {
     const BlockPlaces& places = file.places[b];
     const Block& block = flow.blocks[b];
-    if (places.normal == nullptr) continue;  // the line of its arrows could not be read
+    if (places.normal == nullptr) continue;  // the line with its arrows could not be read
     const bool is_normal =
         check_arrow(reader, block.normal, count, is_word_n ? "next" : "normal", places.normal);
     const bool is_branch =
@@ -110,7 +110,7 @@ void tell_fault(const Reader& reader, const FlowFile& file, const FlowFinding& f
   }
 }
 
-/// Whether a motion should not write a variable: sliders and what the robot itself writes.
+/// Whether a motion should not write a variable: sliders and variables that the robot writes.
 bool is_read_only(int variable) {
   return variable <= 63 || (variable >= 128 && variable <= 155) ||
          (variable >= 222 && variable <= 239);
@@ -197,7 +197,7 @@ void check(const Reader& reader, FlowFile& file) {
   } else if (file.flow.blocks.empty()) {
     reader.error(code::kNoPose, "expected a pose (_POSE:), found none", file.start);
   }
-  if (!file.is_whole) return;  // ways that were not read are not missing
+  if (!file.is_whole) return;  // arrows that were not read are not missing
   for (const FlowFinding& finding : find_flow_faults(file.flow)) {
     tell_fault(reader, file, finding);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a motion asks of a robot, held against its project.
+// Checks the demands of a motion against the robot's project.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace kinefile::robovie {
 namespace {
 
-/// How many blocks between two poses are gone over, so that odd flows take no endless time.
+/// The largest number of blocks searched between two poses, to limit the time for odd flows.
 constexpr std::size_t kMostBetween = 100;
 
 const PoseBlock* pose_of(const FlowFile& file, std::size_t block) {
@@ -23,7 +23,7 @@ const PoseBlock* pose_of(const FlowFile& file, std::size_t block) {
   return is_read ? std::get_if<PoseBlock>(&file.flow.blocks[block].body) : nullptr;
 }
 
-/// A sound's path as names are compared: '\' between folders, small letters.
+/// A sound's path in the form for comparison: '\' between folders, lower case.
 std::string sound_key(std::string_view path) {
   std::string key = lowered(path);
   std::replace(key.begin(), key.end(), '/', '\\');
@@ -85,7 +85,7 @@ class ProjectCheck {
   std::set<std::string> sounds_;
 };
 
-/// Finds how fast sliders go from pose to pose.
+/// Finds how fast sliders move from pose to pose.
 class SpeedCheck {
  public:
   SpeedCheck(const Reader& reader, const FlowFile& file, double limit)
@@ -101,7 +101,7 @@ class SpeedCheck {
   }
 
  private:
-  /// The poses that follow, over blocks that take no time.
+  /// The following poses, through blocks that take no time.
   std::vector<std::size_t> poses_after(std::size_t block) {
     std::vector<std::size_t> poses;
     std::vector<std::size_t> waiting = {block};
@@ -118,7 +118,7 @@ class SpeedCheck {
     return poses;
   }
 
-  /// Where a slider is at the end of a pose; nothing if that is not known.
+  /// The position of a slider at the end of a pose; empty if it is unknown.
   std::optional<int> value_of(const PoseBlock& pose, std::size_t slider) const {
     if (slider >= pose.words.size()) return std::nullopt;
     if (pose.words[slider].is_enabled) return pose.words[slider].value;
@@ -157,7 +157,7 @@ class SpeedCheck {
   double limit_;
   std::vector<std::int16_t> base_;
   std::vector<bool> jumps_;
-  std::vector<std::size_t> seen_at_;  ///< by block: the pose that it was last seen from
+  std::vector<std::size_t> seen_at_;  ///< by block: the pose from which it was last reached
   std::size_t stamp_ = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace kinefile::robovie {
 
-/// Decodes a file of RobovieMaker: what no byte order mark nor valid UTF-8 shows is code page 932.
-/// Bytes that are no characters are errors; with --lenient they become U+FFFD.
+/// Decodes a file of RobovieMaker: without a byte order mark or valid UTF-8 it is code page 932.
+/// Bytes that are not characters are errors; with --lenient they become U+FFFD.
 Result<text::DecodedText> decode_motion(std::string_view bytes,
                                         const kinefile::ReadOptions& options,
                                         Diagnostics& diagnostics);

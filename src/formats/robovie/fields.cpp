@@ -12,7 +12,7 @@
 namespace kinefile::robovie {
 namespace {
 
-/// Whether a number is written as the editor does: no sign but a minus, no zeros before it.
+/// Whether a number is written as by the editor: no plus sign, no leading zeros.
 bool is_plain(std::string_view digits) {
   if (digits == "0") return true;
   if (digits.starts_with('-')) digits.remove_prefix(1);
@@ -166,7 +166,7 @@ std::size_t parse_words(const Reader& reader, const Field& field, std::size_t nu
                  fmt::format("expected a word, 0x or 0X and four hexadecimal digits, found {}",
                              token.empty() ? "nothing" : shown(token)),
                  token);
-    } else if (is_plain && (has_capitals || token.size() != 6)) {  // told once a pose
+    } else if (is_plain && (has_capitals || token.size() != 6)) {  // reported once per pose
       tell_spelling(reader, fmt::format("the word {}", text::quoted(token)), token.data());
       is_plain = false;
     }

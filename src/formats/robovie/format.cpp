@@ -44,13 +44,13 @@ constexpr std::array<WriteOption, 1> kWriteOptions = {
 
 constexpr Kinds kWrites = {.flows = true};
 
-/// What a document keeps of its file.
+/// The data that a document keeps from its file.
 struct KeptFile {
   TextLayout text;
   std::string encoding;
   bool has_bom = false;
-  std::optional<bool> has_blank_lines;  ///< before every block; absent: as usual in the format
-  bool ends_with_line = true;           ///< the last line ends like all others
+  std::optional<bool> has_blank_lines;  ///< before every block; absent: the format's default
+  bool ends_with_line = true;           ///< whether the last line has a line end, too
 };
 
 /// Looks for the first line, which is the same in all files.
@@ -68,11 +68,11 @@ bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
 }
 
-/// Tells, once, that a file is not laid out as the editor writes it.
+/// Reports once that a file is not encoded or laid out as the editor writes it.
 void check_encoding(const Reader& reader, const text::DecodedText& decoded, FlowFormat format) {
   const std::string_view line_end = text::line_end_of(decoded.view());
   const bool is_utf16 = decoded.encoding == "utf-16le" && decoded.has_bom;
-  // How the older editor encodes its files is not known; Windows' own encoding is likely.
+  // The encoding of the older editor is not known; that of Windows is likely.
   const bool is_old = format == FlowFormat::WordN && !decoded.has_bom &&
                       (decoded.encoding == "cp932" || is_ascii(decoded.view()));
   if (line_end == "crlf" && (is_utf16 || is_old)) return;
@@ -128,7 +128,7 @@ Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& optio
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
-/// How a document is to be laid out: as its file was, but for what the options say.
+/// The layout for a document: that of its file, changed by the options.
 Layout layout_of(const Document& document, FlowFormat format,
                  const kinefile::WriteOptions& options) {
   Layout layout;
@@ -145,7 +145,7 @@ Layout layout_of(const Document& document, FlowFormat format,
     layout.encoding = encoding;
     layout.has_bom = encoding.starts_with("utf-16");
   }
-  // What is asked for like this is meant for the editor.
+  // This option is meant for the editor.
   if (encoding == "utf-16le") layout.line_end = "\r\n";
   return layout;
 }
@@ -157,7 +157,9 @@ class EncodedPrinter {
     if (layout.has_bom) printer_.print(text::byte_order_mark(layout.encoding));
   }
 
-  /// Prints lines that end with "\n". \returns a character that the encoding does not have
+  /// Prints lines that end with "
+  /// ".
+  /// \returns a character that the encoding does not have
   std::string_view print(std::string_view lines) {
     while (!lines.empty()) {
       const std::size_t end = lines.find('\n');

@@ -11,7 +11,7 @@
 namespace kinefile::robovie {
 namespace {
 
-/// A keyword as it was meant: full-width characters narrow, letters large.
+/// The intended keyword: full-width characters become half-width, letters upper case.
 std::string meant(std::string_view key) {
   std::string word;
   for (std::size_t i = 0; i < key.size();) {
@@ -152,7 +152,7 @@ void Parser::end_block() {
 
 void Parser::add_unread() {
   file_.is_whole = false;
-  // The line that cannot be read is the body of the block before it.
+  // The unreadable line is the body of the block before it.
   has_info_ = false;
 }
 

@@ -12,10 +12,10 @@ namespace {
 constexpr Range kVariable = {code::kBadVariable, 0, static_cast<int>(kNumVariables) - 1};
 constexpr Range kConstant = {code::kBadConstant, -32768, 32767};
 
-/// How many words some programs write under _ENABLE_AXIS:[62], one a servo.
+/// The number of words that some programs write with _ENABLE_AXIS:[62], one per servo.
 constexpr std::size_t kWordsOfServos = 30;
 
-/// What a line stands for that cannot be read further than its keyword.
+/// The block body for a line of which only the keyword can be read.
 BlockBody empty_body(Keyword keyword) {
   switch (keyword) {
     case Keyword::StartMot:
@@ -150,8 +150,8 @@ void Parser::parse_words_of(const Settings& settings, PoseBlock& pose) {
   };
   const std::size_t num_wide_before = num_wide();
   const std::size_t count = parse_words(reader_, field, most, pose.words);
-  const bool has_wide_commas = num_wide() > num_wide_before;  // they make the number a wrong one
-  if (!knows_axis_) {  // the first pose tells, as far as it can
+  const bool has_wide_commas = num_wide() > num_wide_before;  // they make the number wrong
+  if (!knows_axis_) {  // it is taken from the first pose, if possible
     knows_axis_ = true;
     flow.num_sliders = pose.words.size();
   }

@@ -7,8 +7,8 @@
 
 namespace kinefile::robovie {
 
-/// Reads a motion file line by line and goes on after faults, so that all of them are told. A line
-/// that cannot be read is a block all the same, so that the numbers of others stay.
+/// Reads a motion file line by line and continues after faults, so that all are reported. A line
+/// that cannot be read still counts as a block, so that the numbers of others do not change.
 class Parser {
  public:
   explicit Parser(const Reader& reader) : reader_(reader), lines_(reader.source.text()) {}
@@ -18,7 +18,7 @@ class Parser {
  private:
   /// Splits the next line that is not blank; false at the end of the file.
   bool next_line();
-  /// The keyword of the line; nothing, and an error, if it is none.
+  /// The keyword of the line; empty, with an error, if it is not one.
   std::optional<Keyword> keyword();
   bool parse_format();
   void parse_axis();
@@ -27,11 +27,11 @@ class Parser {
   void parse_body(Keyword keyword);
   void parse_word_n_pose();
   void add_unread();
-  /// Tells of a block that has no body.
+  /// Reports a block that has no body.
   void end_block();
 
   Block& add_block();
-  /// Keeps where the settings of the line stand, for further checks, unless it had faults.
+  /// Keeps the places of the line's settings, for further checks, unless it had faults.
   void keep_places(std::size_t num_errors);
   BlockBody body(Keyword keyword, const Settings& settings);
   PoseBlock pose(const Settings& settings);
@@ -39,7 +39,7 @@ class Parser {
   void parse_mask(const Settings& settings, PoseBlock& pose);
   ArithmeticBlock arithmetic(const Settings& settings, bool has_variable);
   BranchBlock branch(const Settings& settings);
-  /// An arrow as a number, which is held against the number of blocks later.
+  /// An arrow as a number, which is checked against the number of blocks later.
   int arrow(const Settings& settings, std::size_t i);
 
   const Reader& reader_;
@@ -47,10 +47,10 @@ class Parser {
   Setting setting_;
   FlowFile file_;
   std::size_t line_number_ = 0;
-  bool has_blank_before_ = false;  ///< the line
-  bool knows_axis_ = false;        ///< how many words a pose has
+  bool has_blank_before_ = false;  ///< before the line
+  bool knows_axis_ = false;        ///< whether the number of words per pose is known
   const char* axis_at_ = nullptr;
-  bool has_info_ = false;  ///< the last block waits for its body
+  bool has_info_ = false;  ///< the last block has no body yet
   const char* info_at_ = nullptr;
   bool told_few_words_ = false;
 };

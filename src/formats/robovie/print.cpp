@@ -36,7 +36,7 @@ struct BodyText {
   }
 };
 
-/// Whether a text can stand in doubled brackets and be read again.
+/// Whether a text can be written in doubled brackets and be read again.
 bool is_text(std::string_view text) {
   return text.find_first_of("\r\n") == std::string_view::npos &&
          text.find("]]-[") == std::string_view::npos;

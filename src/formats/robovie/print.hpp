@@ -14,7 +14,7 @@ struct Layout {
   bool has_bom = true;
   std::string_view line_end = "\r\n";
   bool has_blank_lines = true;  ///< before every block
-  bool ends_with_line = true;   ///< the last line ends like all others
+  bool ends_with_line = true;   ///< whether the last line has a line end, too
 };
 
 /// The two lines before the blocks, with "\n" for line ends.
@@ -23,7 +23,7 @@ std::string header_text(const PoseFlow& flow);
 /// The lines of a block.
 std::string block_text(const PoseFlow& flow, const Block& block);
 
-/// What keeps a flow from being written, in words; empty if nothing does.
+/// Why a flow cannot be written, as text; empty if it can.
 std::string why_not_written(const PoseFlow& flow);
 
 }  // namespace kinefile::robovie

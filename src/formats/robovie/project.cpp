@@ -27,7 +27,7 @@ struct ProjectFiles {
   std::string sliders, rom, base_poses, map;
 };
 
-/// Opens a file of a project; a missing one is told.
+/// Opens a file of a project; reports a missing one.
 std::optional<CompanionFile> open_file(const Reader& project, const std::string& name,
                                        std::string_view setting, Severity severity) {
   const char* const code = severity == Severity::Error ? code::kNoSliders : code::kMissingFile;
@@ -45,7 +45,7 @@ std::optional<CompanionFile> open_file(const Reader& project, const std::string&
   return file;
 }
 
-/// Reads a file of a project by one of the functions above.
+/// Reads a file of a project with one of the functions above.
 void read_part(const Reader& project, const std::string& name, std::string_view setting,
                Severity severity, void (*read)(const Reader&, RobotProject&), RobotProject& out) {
   const auto file = open_file(project, name, setting, severity);
@@ -88,7 +88,7 @@ Result<RobotProject> read_project_alone(std::string_view bytes,
   RobotProject project;
   const ProjectFiles files = read_names(reader, project);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  // Sliders first: the other files say more of them.
+  // Sliders first, because the other files add data to them.
   read_part(reader, files.sliders, "SLDINI", Severity::Error, read_sliders, project);
   read_part(reader, files.rom, "ROMINI", Severity::Warning, read_rom, project);
   read_part(reader, files.base_poses, "DEFPOSINI", Severity::Warning, read_base_poses, project);

@@ -10,9 +10,9 @@
 namespace kinefile::robovie {
 namespace {
 
-/// MASTER_CLOCK in microseconds; the usual one stands for a sixtieth of a second.
+/// MASTER_CLOCK in microseconds; the usual value means a sixtieth of a second.
 constexpr int kUsualClock = 16667;
-/// INTERPOlATION_SETTING of a slider that takes its new value at once.
+/// INTERPOlATION_SETTING of a slider that jumps to its new value at once.
 constexpr int kJumps = 3;
 constexpr std::size_t kMostBasePoses = 1000;
 constexpr int kMostSounds = 10'000;
@@ -79,7 +79,7 @@ std::vector<std::size_t> read_slider_list(const ProjectLine& line) {
   return sliders;
 }
 
-/// Puts words to the sliders of a base pose; there may be fewer than sliders.
+/// Assigns words to the sliders of a base pose; there may be fewer words than sliders.
 void read_base_values(const ProjectLine& line, const std::vector<std::size_t>& sliders,
                       BasePose& pose) {
   const auto parts = split_list(line.text(0));
@@ -98,7 +98,7 @@ void read_servo_mask(const ProjectLine& line, BasePose& pose) {
   for (std::size_t i = 0; i < kNumServos; ++i) pose.servo_off[i] = digits[i] == '1';
 }
 
-/// Whether a sound of the list is there; without a way to look, it is taken to be.
+/// Whether a sound of the list exists; if we cannot look, we assume so.
 bool is_there(const Reader& reader, std::string path) {
   if (!reader.options.companions.open) return true;
   std::replace(path.begin(), path.end(), '\\', '/');

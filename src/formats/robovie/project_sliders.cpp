@@ -7,7 +7,7 @@
 namespace kinefile::robovie {
 namespace {
 
-/// Words a degree that a servo may have, as a servo map may say them.
+/// The allowed words per degree of a servo, as in a servo map.
 constexpr double kLeastUnits = 0.001, kMostUnits = 1e6;
 
 /// Variables, of which the first are sliders.
@@ -15,8 +15,7 @@ constexpr int kMostSliders = 64;
 constexpr int kStyleDegrees = 2;
 constexpr int kDisabledBit = 1;
 
-/// Sliders that take a new value at once, where no other file says it: the voice, what LEDs show,
-/// digital outputs.
+/// Sliders that jump to a new value at once by default: the voice, LEDs, digital outputs.
 bool jumps_usually(std::size_t slider) { return slider == 30 || (slider >= 37 && slider <= 40); }
 
 void read_pair(const ProjectLine& line, Slider& slider) {
@@ -78,7 +77,7 @@ void read_slider_line(const ProjectLine& line, Slider& slider) {
   }
 }
 
-/// Tells of partners that are no partners.
+/// Reports partners that do not name each other.
 void check_pairs(const Reader& reader, RobotProject& project) {
   for (std::size_t s = 0; s < project.sliders.size(); ++s) {
     Slider& slider = project.sliders[s];

@@ -15,7 +15,7 @@
 
 namespace kinefile::robovie {
 
-/// What all parts of the readers work with.
+/// The data that all parts of the readers use.
 struct Reader {
   const text::Source& source;
   const kinefile::ReadOptions& options;
@@ -30,33 +30,34 @@ struct Reader {
   void warn(const char* code, std::string message, const char* at) const {
     tell(Severity::Warning, code, std::move(message), at);
   }
-  /// An error, or with --lenient a warning that says what is done instead.
+  /// Reports an error, or with --lenient a warning that describes the repair.
   void repair(const char* code, std::string message, std::string_view done, const char* at) const;
 };
 
-/// The numbers that a setting may have, and the code of those that it may not.
+/// The allowed numbers of a setting, and the code for other numbers.
 struct Range {
   const char* code = nullptr;
   int minimum = 0;
   int maximum = 0;
 };
 
-/// The settings of a line of a motion file, one by one; tells of those that do not fit.
+/// The settings of a line of a motion file, one by one; reports those that are not valid.
 class Settings {
  public:
   Settings(const Reader& reader, const Setting& line, const KeywordRow& row)
       : reader_(reader), line_(line), row_(row) {}
 
-  /// Whether the line is laid out well and has as many settings as its keyword asks for.
+  /// Whether the line has the correct form and as many settings as its keyword needs.
   bool are_complete() const;
 
-  /// A whole number, whatever it is. Nothing after an error.
+  /// Any whole number. Empty after an error.
   std::optional<int> integer(std::size_t i) const;
-  /// A number of a range. After an error the nearest one that it allows.
+  /// A number within a range. After an error the nearest allowed one.
   int number(std::size_t i, const Range& range) const;
-  /// As `number` from 1 to `kMaxTicks`; --lenient takes the nearest one.
+  /// As `number` from 1 to `kMaxTicks`; --lenient uses the nearest one.
   int ticks(std::size_t i) const;
-  /// A text in doubled brackets. Single ones are an error; --lenient takes no text, as the editor.
+  /// A text in doubled brackets. Single brackets are an error; with --lenient the text is empty, as
+  /// in the editor.
   std::string text(std::size_t i) const;
   /// A text in single brackets.
   std::string_view single(std::size_t i) const;
@@ -71,28 +72,30 @@ class Settings {
   KeywordRow row_;
 };
 
-/// Tells that a text is not what it should be: RBV004 where full-width characters are why.
+/// Reports that a text is not valid: with RBV004 if full-width characters are the reason.
 void tell_wrong(const Reader& reader, const char* code, std::string message, std::string_view text);
 
-/// Tells of a way of writing that the editor does not have and may not read.
+/// Reports a spelling that the editor does not write and may not read.
 void tell_spelling(const Reader& reader, std::string_view what, const char* at);
 
-/// Reads the words of a pose. \returns how many there are; of too many the first are kept
+/// Reads the words of a pose.
+/// \returns how many there are; if there are too many, the first are kept
 std::size_t parse_words(const Reader& reader, const Field& field, std::size_t num_kept,
                         std::vector<SliderWord>& words);
 
-/// Where a word of a pose stands. \param words  the opening bracket before the first one
+/// The place of a word of a pose.
+/// \param words  the opening bracket before the first word
 /// Precondition: the line has that many words.
 const char* place_of_word(const char* words, std::size_t slider);
 
-/// Reads a motion file; what is wrong is in the reader's diagnostics.
+/// Reads a motion file; its faults are in the reader's diagnostics.
 FlowFile parse(const Reader& reader);
 
-/// Tells of what does not fit together in a file that was read: arrows, starts, the way of the
-/// flow, variables, sounds.
+/// Reports inconsistencies in a file that was read: arrows, starts, the paths of the flow,
+/// variables, sounds.
 void check(const Reader& reader, FlowFile& file);
 
-/// Holds a flow against the robot's project and the largest speed, as far as the options have them.
+/// Checks a flow against the robot's project and the largest speed, if the options have them.
 void check_on_robot(const Reader& reader, const FlowFile& file);
 
 }  // namespace kinefile::robovie

@@ -59,7 +59,7 @@ class Splitter {
   bool take_key() {
     const std::size_t colon = rest().find_first_of(":[");
     if (colon == std::string_view::npos || rest()[colon] != ':') {
-      // What stands for the colon is often one of full width.
+      // The character in place of the colon is often a full-width one.
       const std::string_view before = rest().substr(0, colon);
       setting_.key = before.substr(0, before.find("\uFF1A"));
       return fail_at(next_ + setting_.key.size(), "':'");
@@ -142,8 +142,8 @@ char narrow_form(std::string_view text, std::size_t& length) {
     std::string_view wide;
     char narrow;
   };
-  // Minus, hyphens, dashes and the long vowel's sign are typed for '-', the comma of Japanese for
-  // ','.
+  // Minus, hyphens, dashes and the long vowel sign are typed instead of '-', the Japanese comma
+  // instead of ','.
   constexpr Pair kOthers[] = {{"\u2212", '-'}, {"\u2010", '-'}, {"\u2013", '-'}, {"\u2014", '-'},
                               {"\u2015", '-'}, {"\u30FC", '-'}, {"\u3001", ','}, {"\u3000", ' '}};
   for (const Pair& pair : kOthers) {
@@ -152,7 +152,7 @@ char narrow_form(std::string_view text, std::size_t& length) {
       return pair.narrow;
     }
   }
-  // U+FF01 to U+FF5E stand for '!' to '~'.
+  // U+FF01 to U+FF5E are full-width forms of '!' to '~'.
   if (text.size() < 3 || text[0] != '\xEF') return 0;
   const auto second = static_cast<unsigned char>(text[1]);
   const auto third = static_cast<unsigned char>(text[2]);

@@ -2,8 +2,8 @@
 #pragma once
 
 // RobovieMaker's motion files. Sources: the maker's description of the format ("RobovieMaker2
-// course", no. 6), and files that RobovieMaker2 wrote; docs/formats/robovie.md says which rule is
-// from where.
+// course", no. 6), and files that RobovieMaker2 wrote; docs/formats/robovie.md gives the source of
+// each rule.
 
 #include <array>
 #include <cstddef>
@@ -28,7 +28,7 @@ enum class Keyword {
   Mif,
 };
 
-/// A keyword as it is written, without its colon, and what its settings are called.
+/// A keyword as written, without its colon, and the names of its settings.
 struct KeywordRow {
   std::string_view word;
   std::span<const std::string_view> settings;
@@ -43,24 +43,24 @@ inline constexpr std::array<Keyword, 10> kKeywords = {
     Keyword::EndMot,       Keyword::Pose,       Keyword::OldLoop,    Keyword::VarCon,
     Keyword::VarVar,       Keyword::Mif};
 
-/// Where the words of a block stand: the opening brackets of its settings.
+/// The places of a block's words: the opening brackets of its settings.
 struct BlockPlaces {
-  const char* body = nullptr;                ///< the keyword of its kind
-  std::array<const char*, 5> settings = {};  ///< of that line
-  const char* normal = nullptr;              ///< its arrows; of WORD_N next and break
+  const char* body = nullptr;                ///< the keyword of the line with its kind
+  std::array<const char*, 5> settings = {};  ///< the settings of that line
+  const char* normal = nullptr;              ///< its arrows; in WORD_N next and break
   const char* branch = nullptr;
 };
 
-/// What a motion file said: the format says nothing but what the model holds.
+/// The content of a motion file: the format contains only what the model holds.
 struct FlowFile {
   PoseFlow flow;
-  std::vector<BlockPlaces> places;  ///< one a block
-  const char* start = nullptr;      ///< the first line; null: it does not show the format
+  std::vector<BlockPlaces> places;  ///< one per block
+  const char* start = nullptr;      ///< the first line; null: it does not specify the format
   bool is_whole = true;             ///< every line and arrow could be read
   bool has_blank_lines = false;     ///< before its first block
 };
 
-/// The operations and conditions have their numbers in this order.
+/// Operations and conditions are numbered in this order.
 inline constexpr int kNumOperations = 5;
 inline constexpr int kNumConditions = 8;
 

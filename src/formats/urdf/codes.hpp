@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The diagnostics of the URDF reader. docs/errors.md gives each a cause and a cure, and
-// tests/formats/urdf/invalid a file and its message.
+// The diagnostics of the URDF reader. docs/errors.md gives the cause and cure of each;
+// tests/formats/urdf/invalid has a file and its message for each.
 
 #include "formats/robot_file.hpp"
 
@@ -22,7 +22,7 @@ inline constexpr char kIgnored[] = "URD011";
 inline constexpr char kNoLimit[] = "URD012";
 inline constexpr char kBadMimic[] = "URD013";
 
-/// Joint ids are counted here, so that none is too large and none stands twice.
+/// Joint ids are counted here, so none is too large and none is repeated.
 inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
                                              kTooManyLinks, kTooManyLinks, kNotUnitLength};
 

@@ -15,10 +15,10 @@ namespace {
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 
-/// Columns are looked for so far into a line, since a line may be the whole file.
+/// How far into a line columns are searched, because a line may be the whole file.
 constexpr std::ptrdiff_t kFarthestColumn = 1000;
 
-/// What tinyxml2 found wrong, in words.
+/// The fault that tinyxml2 found, as text.
 std::string_view fault_name(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
@@ -66,7 +66,7 @@ Elements::Elements(const text::Source& source, Diagnostics& diagnostics)
 }
 
 const XMLElement* Elements::read_root(const char* name) {
-  // Its end for tinyxml2, which would say nothing of what stands behind it.
+  // A zero ends the text for tinyxml2, which would silently ignore the rest.
   const std::size_t zero = source_.text().find('\0');
   if (zero != std::string_view::npos) {
     report(Severity::Error, {&source_, source_.text().data() + zero}, code::kNotUrdf,
@@ -112,7 +112,7 @@ robot_file::Spot Elements::spot(const XMLElement& element, const XMLAttribute& a
   const robot_file::Spot in_line = find_in_line(attribute.GetLineNum(), attribute.Name());
   const robot_file::Spot start = spot(element);
   if (attribute.GetLineNum() != element.GetLineNum()) return in_line;
-  // Behind the element's own start, which may look the same.
+  // After the element's own start, which may look the same.
   const std::string_view rest(
       start.at, static_cast<std::size_t>(std::min(source_.end() - start.at, kFarthestColumn)));
   const std::size_t at = rest.substr(0, rest.find('\n')).find(std::string(" ") + attribute.Name());

@@ -12,25 +12,25 @@
 
 namespace kinefile::urdf {
 
-/// Reads the elements of an XML text. What is not as expected is told, and the result is nothing.
+/// Reads the elements of an XML text. Unexpected content is reported, and the result is empty.
 class Elements {
  public:
   /// \param source  UTF-8 without a byte order mark, must outlive this
   Elements(const text::Source& source, Diagnostics& diagnostics);
 
-  /// The element that all others are in, which has to be of this name; null after an error.
+  /// The outermost element, which must have this name; null after an error.
   const tinyxml2::XMLElement* read_root(const char* name);
 
-  /// Where an element stands: its line is known, its column only where it is the first of its name
+  /// The place of an element: its line is known, its column only if it is the first with its name
   /// in the line.
   robot_file::Spot spot(const tinyxml2::XMLElement& element) const;
   robot_file::Spot spot(const tinyxml2::XMLElement& element,
                         const tinyxml2::XMLAttribute& attribute) const;
 
-  /// The text of an attribute, which has to be there.
+  /// The text of an attribute, which must exist.
   std::optional<std::string> word(const tinyxml2::XMLElement& element, const char* attribute);
   /// A finite number.
-  /// \param fallback  where there is no such attribute
+  /// \param fallback  the value if there is no such attribute
   std::optional<double> number(const tinyxml2::XMLElement& element, const char* attribute,
                                double fallback);
   /// Three finite numbers.
@@ -51,7 +51,7 @@ class Elements {
   const text::Source& source_;
   Diagnostics& diagnostics_;
   tinyxml2::XMLDocument document_;
-  std::vector<std::size_t> line_starts_;  ///< as tinyxml2 counts lines: by line feeds alone
+  std::vector<std::size_t> line_starts_;  ///< as tinyxml2 counts lines: only by line feeds
 };
 
 }  // namespace kinefile::urdf

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 1> kExtensions = {".urdf"};
 constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
-/// Goes behind what starts with one word and ends with another; false where that is not there.
+/// Skips a part that starts with one word and ends with another; false if there is no such part.
 bool skip(std::string_view& text, std::string_view start, std::string_view end) {
   if (!text.starts_with(start)) return false;
   const std::size_t at = text.find(end, start.size());

@@ -7,9 +7,9 @@
 
 namespace kinefile::urdf {
 
-/// The Unified Robot Description Format (.urdf), read only; see docs/formats/body.md. None where
-/// tinyxml2, a library of the machine, cannot be: in the browser build, for which
-/// src/CMakeLists.txt takes absent.cpp in place of the reader.
+/// The Unified Robot Description Format (.urdf), read only; see docs/formats/body.md. Empty in the
+/// browser build, which cannot link tinyxml2, a library of the system: there src/CMakeLists.txt
+/// uses absent.cpp instead of the reader.
 std::vector<Format> formats();
 
 }  // namespace kinefile::urdf

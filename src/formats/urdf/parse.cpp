@@ -33,7 +33,7 @@ class Parser {
     if (root == nullptr) return std::nullopt;
     const char* name = root->Attribute("name");
     robot_.name = name == nullptr ? "" : name;
-    // All links first: joints may stand before what they join.
+    // All links first, because joints may come before the links that they join.
     for_each(*root, "link", [this](const XMLElement& element) { read_link(element); });
     for_each(*root, "joint", [this](const XMLElement& element) { read_joint(element); });
     if (is_good_) find_root(*root);
@@ -43,17 +43,17 @@ class Parser {
   }
 
  private:
-  /// A link of the file, and whether a joint has put it into its place.
+  /// A link of the file, and whether it is the child of a joint.
   struct Known {
     const XMLElement* element = nullptr;
     bool is_child = false;
   };
 
-  /// A joint that follows another, as the file has it.
+  /// A joint that follows another, as in the file.
   struct Mimic {
     std::size_t link = 0;
     std::string joint;      ///< the name of the other
-    std::size_t other = 0;  ///< the link that hangs on it
+    std::size_t other = 0;  ///< the link below the other joint
     double multiplier = 1;
     double offset = 0;
     robot_file::Spot spot;
@@ -76,7 +76,7 @@ class Parser {
     elements_.report(Severity::Warning, elements_.spot(element), code, std::move(message));
   }
 
-  /// Takes a value that may be missing because of an error.
+  /// Stores a value that may be missing because of an error.
   template <class T>
   T take(std::optional<T> value) {
     is_good_ &= value.has_value();
@@ -93,7 +93,7 @@ class Parser {
     }
   }
 
-  /// The name in a joint's <parent> or <child>, which has to be a link's.
+  /// The link that a joint's <parent> or <child> names.
   Known* find_link(const XMLElement& joint, const char* role, std::string& name) {
     const XMLElement* element = joint.FirstChildElement(role);
     if (element == nullptr) {
@@ -135,7 +135,7 @@ class Parser {
     robot_.links.push_back(std::move(link));
   }
 
-  /// \param link  the one that is read, which will be the next
+  /// \param link  the link that is being read, which will be the next one
   void read_mimic(const XMLElement& element, const Link& link) {
     if (link.type == JointType::Fixed) {
       warn(element, code::kIgnored,
@@ -152,7 +152,7 @@ class Parser {
     mimics_.push_back(std::move(mimic));
   }
 
-  /// Finds the joint that each chain of mimics ends in.
+  /// Finds the joint at the end of each chain of mimics.
   void follow_mimics() {
     std::unordered_map<std::string_view, std::size_t> link_of_joint;
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
@@ -192,7 +192,7 @@ class Parser {
                       text::quoted(robot_.links[mimic.link].joint_name)));
   }
 
-  /// Lets a joint follow the one that its chain ends in, if that moves.
+  /// Makes a joint follow the joint at the end of its chain, if that moves.
   void end_mimic(const Mimic& mimic, const robot_file::Follows& follows) {
     const Link& leader = robot_.links[follows.link];
     if (!std::isfinite(follows.gain) || !std::isfinite(follows.shift)) {
@@ -209,7 +209,7 @@ class Parser {
     }
   }
 
-  /// The type of a joint, and its id, which those that move have in the order of the file.
+  /// Reads the type of a joint, and sets its id; joints that move have ids in file order.
   void read_type(const XMLElement& element, Link& link) {
     const std::string type = take(elements_.word(element, "type"));
     if (type.empty() || type == "fixed") return;
@@ -260,7 +260,7 @@ class Parser {
     link.max_speed = std::abs(take(elements_.number(*limit, "velocity", link.max_speed)));
   }
 
-  /// The root is the one link above which there is no joint.
+  /// The root is the only link without a parent joint.
   void find_root(const XMLElement& robot) {
     const std::string* root = nullptr;
     for (const std::string& name : names_) {
@@ -292,7 +292,7 @@ class Parser {
   Elements elements_;
   robot_file::Robot robot_;
   std::unordered_map<std::string, Known> links_;
-  std::vector<std::string> names_;  ///< of links, in the order of the file
+  std::vector<std::string> names_;  ///< of links, in file order
   std::vector<Mimic> mimics_;
   std::size_t num_ids_ = 0;
   bool is_good_ = true;

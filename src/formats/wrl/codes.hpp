@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The diagnostics of the reader of OpenHRP's VRML models. docs/errors.md gives each a cause and a
-// cure, and tests/formats/wrl/invalid a file and its message.
+// The diagnostics of the reader of OpenHRP's VRML models. docs/errors.md gives the cause and cure
+// of each; tests/formats/wrl/invalid has a file and its message for each.
 
 #include "formats/robot_file.hpp"
 
@@ -23,7 +23,7 @@ inline constexpr char kTooDeep[] = "WRL012";
 inline constexpr char kTooManyLinks[] = "WRL013";
 inline constexpr char kMisplacedJoint[] = "WRL014";
 
-/// Joints lie in each other: there is no circle.
+/// Joints are nested, so there is no circle.
 inline constexpr robot_file::Codes kRobot = {
     kTooManyLinks, kRepeatedName, kBadParent, kBadParent, kLargeId, kRepeatedId, kNotUnitLength};
 

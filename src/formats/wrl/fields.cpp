@@ -15,7 +15,7 @@ namespace {
 using robot_file::JointType;
 using robot_file::Link;
 
-constexpr double kLargestId = 4e9;  // far beyond what is allowed, and a size on every machine
+constexpr double kLargestId = 4e9;  // far beyond the limit, and fits a size_t on every machine
 
 bool is_number(const Token& token) {
   return token.kind == TokenKind::Word &&
@@ -38,7 +38,7 @@ bool read_string(Parser& parser, std::string_view field, std::string& out) {
                                   "file");
 }
 
-/// The first number of a list, or one without brackets; an empty list leaves it as it is.
+/// Reads the first number of a list, or one without brackets; an empty list changes nothing.
 bool read_limit(Parser& parser, std::string_view field, double& out) {
   if (!parser.lexer.peek().is("[")) return read_number(parser, field, out);
   parser.lexer.take();
@@ -96,7 +96,7 @@ bool read_axis(Parser& parser, Link& link) {
                                             text::quoted(token.text)));
 }
 
-/// Ids below zero mean none.
+/// Ids below zero mean no id.
 bool read_id(Parser& parser, Link& link) {
   const Token token = parser.lexer.peek();
   double id = 0;
@@ -112,7 +112,7 @@ bool read_id(Parser& parser, Link& link) {
   return true;
 }
 
-/// One of two limits of speed; the larger one counts.
+/// Reads one of two limits of speed; the larger one is used.
 bool read_speed(Parser& parser, std::string_view field, Link& link) {
   double speed = std::numeric_limits<double>::infinity();
   if (!read_limit(parser, field, speed)) return false;
@@ -213,7 +213,7 @@ bool skip_value(Parser& parser, bool allows_joints) {
 }
 
 bool skip_to_closing(Parser& parser, bool allows_joints) {
-  // A count, not a call, for every level: files may have any number of them.
+  // Counts levels instead of recursion, because files may have any number of levels.
   for (std::size_t depth = 1; depth > 0;) {
     const Token token = parser.lexer.peek();
     if (token.kind == TokenKind::End) return parser.unexpected("'}' or ']'");

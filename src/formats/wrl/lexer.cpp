@@ -14,7 +14,7 @@ bool is_sign(char c) { return c == '{' || c == '}' || c == '[' || c == ']'; }
 
 bool ends_word(char c) { return is_space(c) || is_sign(c) || c == '"' || c == '#'; }
 
-/// The end of a string that starts with a quote: behind its other quote, or the end of the text.
+/// The end of a string that starts with a quote: after its closing quote, or the end of the text.
 const char* end_of_string(const char* begin, const char* end) {
   for (const char* p = begin + 1; p != end; ++p) {
     if (*p == '"') return p + 1;

@@ -15,7 +15,7 @@ enum class TokenKind {
 
 struct Token {
   TokenKind kind = TokenKind::End;
-  std::string_view text;  ///< of a string with its quotes; empty at the end
+  std::string_view text;  ///< for a string with its quotes; empty at the end
 
   const char* at() const { return text.data(); }
   bool is(std::string_view other) const { return kind != TokenKind::String && text == other; }
@@ -40,7 +40,7 @@ class Lexer {
   Token token_;
 };
 
-/// What a string token says: without its quotes and the backslashes before characters.
+/// The content of a string token: without its quotes and the backslashes before characters.
 std::string content_of(const Token& string);
 
 }  // namespace kinefile::wrl

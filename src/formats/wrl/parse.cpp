@@ -11,7 +11,7 @@
 namespace kinefile::wrl {
 namespace {
 
-/// How deep joints may lie in each other. Every level costs stack.
+/// The largest depth of nested joints. Every level needs stack.
 constexpr std::size_t kMostLevels = 250;
 
 class ModelReader {
@@ -57,7 +57,7 @@ class ModelReader {
     return read_humanoid();
   }
 
-  /// The defaults of a Joint stand in its prototype; other prototypes are skipped.
+  /// The defaults of a Joint are in its prototype; other prototypes are skipped.
   bool read_prototype() {
     const bool is_extern = lexer_.take().is("EXTERNPROTO");
     if (lexer_.peek().kind != TokenKind::Word) return parser_.unexpected("a name");
@@ -93,7 +93,7 @@ class ModelReader {
     return is_known || skip_value(parser_);
   }
 
-  /// Reads a node up to the brace behind its type, or the name that USE brings in.
+  /// Reads a node up to the brace after its type, or the name after USE.
   bool read_node_start(std::string& name, Token& type) {
     name.clear();
     if (lexer_.peek().is("DEF")) {
@@ -120,7 +120,7 @@ class ModelReader {
         if (robot_.name.empty()) robot_.name = name;
       } else if (field.is("segments") || field.is("joints") || field.is("sites") ||
                  field.is("viewpoints")) {
-        // What H-Anim lists there stands in the body, too.
+        // The H-Anim lists there repeat nodes of the body.
         if (!skip_value(parser_, true)) return false;
       } else if (!skip_value(parser_)) {
         return false;
@@ -130,7 +130,7 @@ class ModelReader {
     return true;
   }
 
-  /// One node, or several in brackets, of which Joints are links and Groups may hold some.
+  /// Reads one node, or several in brackets. Joints are links; Groups may contain Joints.
   bool read_children(std::size_t parent, std::size_t level) {
     if (!lexer_.peek().is("["))
       return lexer_.peek().is("NULL") ? skip_value(parser_) : read_child(parent, level);

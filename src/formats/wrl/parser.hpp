@@ -11,7 +11,8 @@
 
 namespace kinefile::wrl {
 
-/// What the parts of the parser share. Its functions tell what is wrong, once, and are false then.
+/// The state that the parts of the parser share. Its functions report a fault once and then return
+/// false.
 struct Parser {
   const text::Source& source;
   Diagnostics& diagnostics;
@@ -19,13 +20,13 @@ struct Parser {
 
   robot_file::Spot spot(const Token& token) const { return {&source, token.at()}; }
   bool fail(const Token& token, const char* code, std::string message);
-  /// Tells that something else was expected than what comes next.
+  /// Reports that the next token is not the expected one.
   bool unexpected(std::string_view expected);
-  /// Takes a sign or keyword.
+  /// Consumes a sign or keyword.
   bool expect(std::string_view word);
 };
 
-/// A joint while it is read: fields may stand in any order.
+/// A joint that is being read: fields may be in any order.
 struct JointFields {
   robot_file::Link link;
   std::string name;  ///< of its field `name`, not of DEF
@@ -35,15 +36,15 @@ struct JointFields {
 /// Reads `count` finite numbers.
 bool read_numbers(Parser& parser, std::string_view field, double* out, std::size_t count);
 
-/// Reads the value of a field of a Joint that says how it moves.
-/// \param is_known  out: whether it is such a field; else nothing was read
+/// Reads the value of a field of a Joint that describes its motion.
+/// \param is_known  out: whether it is such a field; otherwise nothing was read
 bool read_joint_field(Parser& parser, const Token& field, JointFields& joint, bool& is_known);
 
-/// Goes behind the value of a field of any type.
-/// \param allows_joints  whether Joints in it may be skipped, too, as nothing that moves
+/// Skips the value of a field of any type.
+/// \param allows_joints  whether Joints in it may be skipped, too, because they do not move
 bool skip_value(Parser& parser, bool allows_joints = false);
 
-/// Goes behind the sign that closes the one that was taken last.
+/// Skips to after the sign that closes the sign that was consumed last.
 bool skip_to_closing(Parser& parser, bool allows_joints = false);
 
 }  // namespace kinefile::wrl

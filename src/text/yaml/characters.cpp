@@ -59,7 +59,7 @@ std::size_t Cursor::index() const {
 
 const char* find_forbidden_character(std::string_view part, const char* text_end) {
   const char* const end = part.data() + part.size();
-  // A block at a time, since nearly all blocks hold nothing that needs a closer look.
+  // One block at a time, because nearly all blocks need no closer check.
   constexpr std::ptrdiff_t kBlock = 4096;
   for (const char* block = part.data(); block != end;) {
     const char* const block_end = block + std::min(kBlock, end - block);

@@ -8,7 +8,7 @@
 
 namespace kinefile::text::yaml {
 
-/// A walk over a text that may look beyond its end, where it sees zero characters.
+/// A cursor in a text. Beyond the end it sees zero characters.
 class Cursor {
  public:
   explicit Cursor(std::string_view text)
@@ -18,10 +18,10 @@ class Cursor {
   const char* end() const { return end_; }
   bool is_at_end() const { return next_ == end_; }
 
-  /// The character so many bytes ahead, or zero beyond the end.
+  /// The character `ahead` bytes further on, or zero beyond the end.
   char peek(std::ptrdiff_t ahead = 0) const { return ahead < end_ - next_ ? next_[ahead] : '\0'; }
 
-  /// The bytes of a line break so many bytes ahead, or 0: LF, CR, CRLF, NEL, LS, PS.
+  /// The number of bytes of a line break `ahead` bytes further on, or 0: LF, CR, CRLF, NEL, LS, PS.
   std::size_t break_width(std::ptrdiff_t ahead = 0) const;
   bool is_break(std::ptrdiff_t ahead = 0) const { return break_width(ahead) > 0; }
   bool is_blank(std::ptrdiff_t ahead = 0) const {
@@ -36,17 +36,17 @@ class Cursor {
   bool is_byte_order_mark() const {
     return peek() == '\xEF' && peek(1) == '\xBB' && peek(2) == '\xBF';
   }
-  /// Whether "---" or "..." stands here as a word of its own.
+  /// Whether "---" or "..." is here as a separate word.
   bool is_document_mark(char c) const {
     return peek() == c && peek(1) == c && peek(2) == c && ends_word(3);
   }
 
-  /// Goes over bytes of a line.
+  /// Skips bytes of a line.
   void skip(std::size_t bytes = 1) { next_ += bytes; }
-  /// Goes over a line break and starts a line.
+  /// Skips a line break and starts a line.
   void skip_break();
-  /// Goes over ASCII characters to a place further on; so many lines start on the way, the last
-  /// one there.
+  /// Skips ASCII characters up to a later place; `line_starts` lines start on the way, the last one
+  /// at `last_start`.
   void jump(const char* to, std::size_t line_starts, const char* last_start);
 
   std::size_t line() const { return line_; }
@@ -62,7 +62,7 @@ class Cursor {
   std::size_t line_ = 0;
   std::size_t line_start_ = 0;  ///< in characters
   mutable const char* counted_;
-  mutable std::size_t count_ = 0;  ///< the characters before `counted_`
+  mutable std::size_t count_ = 0;  ///< the number of characters before `counted_`
 };
 
 /// The first character that YAML does not allow in a part of a text, or null: control characters,

@@ -36,14 +36,14 @@ bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Whether a plain scalar can stand in a block as it is: on one line, at the start of one, too.
+/// Whether a plain scalar can be written unchanged in a block: on one line, also at its start.
 bool fits_block(std::string_view text) {
   const bool has_break =
       contains(text, "\n") || contains(text, "\xE2\x80\xA8") || contains(text, "\xE2\x80\xA9");
   return !has_break && !text.starts_with("---") && !text.starts_with("...");
 }
 
-/// Whether it can stand in flow style as it is.
+/// Whether it can be written unchanged in flow style.
 bool fits_flow(std::string_view text) {
   return !text.empty() && fits_block(text) &&
          text.find_first_of(",[]{}") == std::string_view::npos && !text.starts_with('?') &&
@@ -51,7 +51,7 @@ bool fits_flow(std::string_view text) {
          !text.ends_with(':') && !contains(text, " #");
 }
 
-/// A tag as it is written, with a blank behind it; nothing where there is none.
+/// A tag as written, with a blank after it; empty if there is none.
 std::string tag_text(std::string_view tag) {
   if (tag.empty()) return "";
   if (tag == "!") return "! ";
@@ -72,7 +72,7 @@ std::string scalar_text(const Node& node, bool is_in_flow) {
   return text + (is_plain ? std::string(node.text) : json_string(node.text));
 }
 
-/// A key that starts like something else, or is long, is none without a sign.
+/// Whether a key needs the sign "?": it starts like something else, or is long.
 bool needs_key_sign(const Node& key, std::string_view text) {
   constexpr std::size_t kLongest = 1000;
   return key.kind != NodeKind::Scalar || text.size() > kLongest;
@@ -125,7 +125,7 @@ bool is_on_one_line(const Node& node) {
 
 void emit_block(const Node& node, std::size_t indent, std::string& out);
 
-/// Behind "-" or ":".
+/// Prints a value after "-" or ":".
 void emit_value(const Node& node, std::size_t indent, std::string& out) {
   if (!is_on_one_line(node)) {
     if (!node.tag.empty()) {
@@ -183,7 +183,7 @@ void emit_block(const Node& node, std::size_t indent, std::string& out) {
       });
 }
 
-/// Whether a plain scalar is a value of JSON as it is spelt.
+/// Whether a plain scalar, as spelled, is a JSON value.
 bool is_json_word(std::string_view text) {
   if (text == "true" || text == "false" || text == "null") return true;
   std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
@@ -207,7 +207,7 @@ bool is_json_word(std::string_view text) {
   return digits.empty();
 }
 
-/// A row of numbers as JSON spells them, without what follows the last comma.
+/// A row of numbers in JSON spelling, without the text after the last comma.
 std::string json_row(std::string_view row) {
   std::string text;
   while (!row.empty()) {

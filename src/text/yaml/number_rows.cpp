@@ -8,10 +8,10 @@
 namespace kinefile::text::yaml {
 namespace {
 
-/// The shapes that are told apart; a text with more is read like any other.
+/// The largest number of different shapes; a text with more is read like any other.
 constexpr std::size_t kMostShapes = 64;
 
-// A form feed is no space here: no character of YAML at all.
+// A form feed is not a space here: YAML does not allow it.
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_space(char c) { return is_blank(c) || is_line_end(c); }
 
@@ -20,13 +20,13 @@ const char* skip_space(const char* p, const char* end) {
   return p;
 }
 
-/// As the other; tells whether that went over the end of a line.
+/// As the other; also reports whether it passed a line end.
 const char* skip_space(const char* p, const char* end, bool& has_break) {
   for (; p != end && is_space(*p); ++p) has_break |= is_line_end(*p);
   return p;
 }
 
-/// Whether nothing but the row stands there: the next entry or the end follows.
+/// Whether the row is alone: the next entry or the end follows.
 bool is_alone(const char* p, const char* end, bool is_in_flow) {
   if (is_in_flow) {
     p = skip_space(p, end);
@@ -37,7 +37,7 @@ bool is_alone(const char* p, const char* end, bool is_in_flow) {
   return p == end || is_line_end(*p) || (*p == '#' && p != behind);
 }
 
-/// The lines of a row behind its first.
+/// The lines of a row after its first.
 struct MoreLines {
   std::size_t count = 0;
   const char* last = nullptr;
@@ -82,7 +82,7 @@ std::span<const double> NumberRows::pop(std::size_t shape) {
   return row;
 }
 
-/// Reads a row from its bracket on, and its shape; returns what follows its end, or null.
+/// Reads a row from its bracket on, and its shape; returns the place after its end, or null.
 const char* NumberRows::read_groups(const char* p, const char* end) {
   current_.clear();
   has_break_ = false;
@@ -111,7 +111,7 @@ const char* NumberRows::read_groups(const char* p, const char* end) {
   return p == end ? nullptr : p + 1;
 }
 
-/// The index of the shape that was read last, or `kMostShapes` where there are too many.
+/// The index of the shape that was read last, or `kMostShapes` if there are too many.
 std::size_t NumberRows::index_of_shape() {
   if (last_shape_ < shapes_.size() && shapes_[last_shape_] == current_) return last_shape_;
   last_shape_ = static_cast<std::size_t>(std::find(shapes_.begin(), shapes_.end(), current_) -

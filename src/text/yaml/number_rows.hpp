@@ -11,23 +11,23 @@
 
 namespace kinefile::text::yaml {
 
-/// What a row of numbers looks like: a number above zero stands for so many numbers, one below for
-/// a sequence of so many, `kEmptyGroup` for an empty one. `[0.1, [1, 2], [3, 4]]` is {1, -2, -2}.
+/// The shape of a row of numbers: n > 0 means n numbers, -n a sequence of n numbers, `kEmptyGroup`
+/// an empty sequence. `[0.1, [1, 2], [3, 4]]` is {1, -2, -2}.
 using RowShape = std::vector<std::int32_t>;
 
 inline constexpr std::int32_t kEmptyGroup = std::numeric_limits<std::int32_t>::min();
 
-/// Reads rows of plain numbers, which are to need no node a number: flow sequences of numbers and
-/// of sequences of numbers, on one line or several.
+/// Reads rows of plain numbers without one node per number: flow sequences of numbers and of
+/// sequences of numbers, on one or several lines.
 class NumberRows {
  public:
-  /// Reads a row and goes behind it. False where there is none, or where it may be more than that
-  /// (a key, say): then nothing has changed, and the text is to be read like any other.
-  /// \param is_in_flow  whether the row stands in a flow sequence
-  /// \param shape       the index of the row's shape
+  /// Consumes a row. False if there is none, or if it may be something more (for example a key);
+  /// then nothing has changed, and the text must be read like any other.
+  /// \param is_in_flow  whether the row is in a flow sequence
+  /// \param shape       out: the index of the row's shape
   bool take(Cursor& cursor, bool is_in_flow, std::size_t& shape);
 
-  /// The numbers of the row that was read first and not popped yet; valid until `take`.
+  /// The numbers of the first row that was read and not popped yet; valid until `take`.
   std::span<const double> pop(std::size_t shape);
 
   const RowShape& shape(std::size_t index) const { return shapes_[index]; }
@@ -44,7 +44,7 @@ class NumberRows {
   std::vector<std::size_t> num_values_;  ///< of a row of each shape
   std::size_t last_shape_ = 0;
   RowShape current_;
-  bool has_break_ = false;  ///< whether the row that was read goes over several lines
+  bool has_break_ = false;  ///< whether the row that was read spans several lines
 };
 
 }  // namespace kinefile::text::yaml

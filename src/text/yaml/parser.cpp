@@ -63,7 +63,7 @@ const Token* Parser::peek() {
   return token;
 }
 
-/// Whether the next token is one of some.
+/// Whether the next token is one of the given kinds.
 bool Parser::is_next(std::initializer_list<TokenKind> kinds) {
   const Token* token = peek();
   return token != nullptr && std::find(kinds.begin(), kinds.end(), token->kind) != kinds.end();
@@ -74,7 +74,7 @@ bool Parser::fail(const char* code, const char* at, std::string message) {
   return false;
 }
 
-/// Remembers what follows when the node that comes next is done.
+/// Stores the state that follows after the next node.
 bool Parser::push(State state) {
   if (states_.size() >= kMostLevels) {
     const Token* token = peek();
@@ -91,7 +91,7 @@ void Parser::pop() {
   states_.pop_back();
 }
 
-/// A value that is not written.
+/// The event of an omitted value.
 bool Parser::empty_scalar(Event& event, const char* at) {
   event.kind = EventKind::Scalar;
   event.at = at;
@@ -391,7 +391,7 @@ bool Parser::parse_flow_entry(Event& event, bool is_first) {
 /// The key of a mapping of one pair that is an entry of a flow sequence: `[a: b]`.
 bool Parser::parse_pair_key(Event& event) {
   if (is_next({TokenKind::Value, TokenKind::FlowEntry, TokenKind::FlowSequenceEnd})) {
-    // Programs disagree: libyaml loses the character that comes next.
+    // Programs disagree: libyaml loses the next character.
     return fail("YML004", peek()->at, "expected a key behind '?' in a list");
   }
   return !fault_ && push(State::PairValue) && parse_node(event, false);

@@ -24,31 +24,31 @@ enum class EventKind {
   StreamEnd,
 };
 
-/// What happens next in a YAML text.
+/// An event in a YAML text.
 struct Event {
   EventKind kind = EventKind::StreamEnd;
   const char* at = nullptr;
-  std::string_view anchor;  ///< without its sign; of an alias, what it stands for
-  std::string_view tag;     ///< resolved; empty where there is none
+  std::string_view anchor;  ///< without its sign; for an alias, the anchor that it names
+  std::string_view tag;     ///< resolved; empty if there is none
   std::string_view value;   ///< of a scalar; of a row, its text
   ScalarStyle style = ScalarStyle::Plain;
   bool is_flow = false;      ///< of a sequence or mapping
-  bool is_implicit = false;  ///< of a document's start or end; of a scalar: an empty one, unwritten
+  bool is_implicit = false;  ///< of a document's start or end; of a scalar: it is omitted
   std::size_t row = 0;       ///< of a row: its shape
 };
 
-/// How deep sequences and mappings may lie in each other. Every level costs readers stack.
+/// The largest depth of nested sequences and mappings. Every level needs stack in readers.
 inline constexpr std::size_t kMostLevels = 200;
 
-/// Turns a YAML text into events.
-/// Source: YAML 1.1; events as libyaml has them, rows of numbers apart.
+/// Converts a YAML text to events.
+/// Source: YAML 1.1; events as in libyaml, except rows of numbers.
 class Parser {
  public:
   /// \param text  UTF-8, must outlive this
-  /// \param rows  takes rows of numbers, where they are wanted as a whole; else null
+  /// \param rows  reads rows of numbers as a whole; null if that is not wanted
   explicit Parser(std::string_view text, NumberRows* rows = nullptr);
 
-  /// Goes on to the next event. False after a fault.
+  /// Moves to the next event. False after a fault.
   bool next(Event& event);
   const std::optional<Fault>& fault() const { return fault_; }
   /// Whether there were comments so far.

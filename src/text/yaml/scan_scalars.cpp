@@ -31,7 +31,7 @@ void append_utf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// The value of a hexadecimal digit, or 16.
+/// The value of a hexadecimal digit; 16 for other characters.
 std::uint32_t hex_digit(char c) {
   if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
   if (c >= 'a' && c <= 'f') return static_cast<std::uint32_t>(c - 'a' + 10);
@@ -39,7 +39,7 @@ std::uint32_t hex_digit(char c) {
   return 16;
 }
 
-/// What an escaped character of one letter stands for; null if it is none.
+/// The meaning of a one-letter escape; null if there is none.
 const char* simple_escape(char c) {
   constexpr std::array<std::pair<char, const char*>, 17> kEscapes = {{
       {'a', "\a"},
@@ -66,8 +66,8 @@ const char* simple_escape(char c) {
   return nullptr;
 }
 
-/// The line breaks between two lines of a folded scalar: one becomes a blank, of more the first
-/// is left out.
+/// The line breaks between two lines of a folded scalar: one becomes a blank; of several the first
+/// is dropped.
 struct Fold {
   std::string first;
   std::string others;
@@ -77,7 +77,7 @@ struct Fold {
     if (first.starts_with('\n')) {
       out += others.empty() ? " " : others;
     } else {
-      out += first + others;  // LS and PS stay as they are
+      out += first + others;  // LS and PS are unchanged
     }
     first.clear();
     others.clear();
@@ -87,7 +87,7 @@ struct Fold {
 
 }  // namespace
 
-/// Goes over a line break and adds it: LF, but LS and PS as they are.
+/// Skips a line break and adds it as LF; LS and PS are unchanged.
 void Scanner::take_break(std::string& out) {
   const std::size_t width = cursor_.break_width();
   if (width == 3) {
@@ -107,7 +107,7 @@ void Scanner::take_line_rest(std::string& out) {
 bool Scanner::scan_plain(Token& token) {
   const bool is_in_flow = candidates_.size() > 1;
   const std::ptrdiff_t indent = indent_ + 1;
-  std::string folded;  // as far as several lines were joined
+  std::string folded;  // the lines that were joined so far
   bool is_folded = false;
   Fold fold;
   const char* const start = cursor_.position();
@@ -174,7 +174,7 @@ bool Scanner::scan_quoted(Token& token) {
       return fail(cursor_.position(), "expected the end of a quoted text before the document's");
     }
     if (cursor_.is_at_end()) return fail(start, "expected the end of this quoted text");
-    bool has_break = false;  // one that was escaped
+    bool has_break = false;  // an escaped line break
     while (!cursor_.ends_word()) {
       const char c = cursor_.peek();
       if (is_single && c == '\'' && cursor_.peek(1) == '\'') {
@@ -198,7 +198,7 @@ bool Scanner::scan_quoted(Token& token) {
     const char* blanks = cursor_.position();
     while (cursor_.is_blank() || cursor_.is_break()) {
       if (cursor_.is_break()) {
-        // What was between the last word and the break is left out.
+        // The blanks between the last word and the break are dropped.
         if (has_break || fold.has_break) {
           take_break(fold.others);
         } else {
@@ -253,8 +253,8 @@ bool Scanner::scan_escape(std::string& value) {
   return true;
 }
 
-/// Reads what stands behind | or >: what is done with the last line breaks (-1 none stays, 1 all
-/// stay), and by how much the text is indented (0: its first line tells).
+/// Reads the header after | or >: how to treat the last line breaks (-1: remove all, 1: keep all),
+/// and the indentation of the text (0: that of its first line).
 bool Scanner::scan_block_header(int& chomping, std::size_t& increment) {
   const char* const at = cursor_.position();
   cursor_.skip();
@@ -289,7 +289,8 @@ bool Scanner::scan_block_header(int& chomping, std::size_t& increment) {
   return true;
 }
 
-/// Takes empty lines and the indentation of the next one; finds out what that is where it is 0.
+/// Consumes empty lines and the indentation of the next line; determines the indentation if it is
+/// 0.
 bool Scanner::scan_block_breaks(std::size_t& indent, std::string& breaks) {
   std::size_t deepest = 0;
   while (true) {

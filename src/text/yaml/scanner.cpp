@@ -13,7 +13,7 @@ namespace {
 /// How long a key of one line may be, in characters (YAML 1.1, 7.3.1).
 constexpr std::size_t kLongestKey = 1024;
 
-/// Whether a plain scalar can start with this character whatever follows it.
+/// Whether a plain scalar can start with this character, whatever follows it.
 bool starts_plain(char c) { return std::strchr("-?:,[]{}#&*!|>'\"%@`", c) == nullptr; }
 
 }  // namespace
@@ -21,7 +21,7 @@ bool starts_plain(char c) { return std::strchr("-?:,[]{}#&*!|>'\"%@`", c) == nul
 Scanner::Scanner(std::string_view text, NumberRows* rows)
     : cursor_(text), rows_(rows), checked_(text.data()) {}
 
-/// Looks for characters that YAML forbids in what was not looked at yet, up to a place.
+/// Checks the unchecked text up to a place for characters that YAML forbids.
 void Scanner::check_characters(const char* end) {
   const char* const begin = std::exchange(checked_, cursor_.position());
   if (end <= begin) return;
@@ -38,7 +38,7 @@ void Scanner::check_characters(const char* end) {
 const Token* Scanner::peek() {
   while (!fault_ && needs_more()) {
     const bool is_good = fetch();
-    // A character that is forbidden may be what is really wrong. Rows of numbers hold none.
+    // A forbidden character may be the real fault. Rows of numbers contain none.
     const bool is_row = is_good && last_ == TokenKind::Row;
     const char* const next = cursor_.position();
     check_characters(is_row ? tokens_.back().at
@@ -52,7 +52,7 @@ void Scanner::pop() {
   ++num_taken_;
 }
 
-/// Whether the first token that waits may still get another one before it.
+/// Whether another token may still be inserted before the first waiting one.
 bool Scanner::needs_more() const {
   if (is_ended_) return false;
   if (tokens_.empty()) return true;
@@ -62,7 +62,7 @@ bool Scanner::needs_more() const {
   });
 }
 
-/// Whether no colon can make a key of it any more.
+/// Whether it can no longer become a key.
 bool Scanner::is_stale(const KeyCandidate& candidate) const {
   return candidate.line < cursor_.line() || candidate.index + kLongestKey < cursor_.index();
 }
@@ -72,7 +72,7 @@ bool Scanner::fail(const char* at, std::string message) {
   return false;
 }
 
-/// Adds a token without a value and goes over it.
+/// Adds a token without a value and skips its text.
 void Scanner::push(TokenKind kind, std::size_t bytes) {
   tokens_.push_back({kind, cursor_.position(), {}, {}});
   last_ = kind;
@@ -92,7 +92,7 @@ void Scanner::skip_to_token() {
   const bool is_in_flow = candidates_.size() > 1;
   while (true) {
     if (cursor_.is_byte_order_mark() && cursor_.column() == 0) cursor_.skip(3);
-    // A tab is no indentation, but where nothing can start that would be indented it is a blank.
+    // A tab is not indentation, but it is a blank where nothing indented can start.
     while (cursor_.peek() == ' ' || (cursor_.peek() == '\t' && (is_in_flow || !allows_key_))) {
       cursor_.skip();
     }
@@ -171,8 +171,8 @@ bool Scanner::fetch_indicator(bool& is_found) {
   return false;
 }
 
-// Keys of one line. A token that may be one is remembered; its colon puts a Key before it, and the
-// start of a mapping, if it stands further right than the block around it.
+// Keys of one line. A token that may be a key is remembered; its colon inserts a Key before it, and
+// the start of a mapping if it is further right than the block around it.
 
 bool Scanner::drop_stale_candidates() {
   for (KeyCandidate& candidate : candidates_) {
@@ -209,7 +209,7 @@ bool Scanner::remove_candidate() {
   return true;
 }
 
-/// Starts a block, if the column lies further right than the one that it stands in.
+/// Starts a block if the column is further right than that of the current block.
 void Scanner::indent_to(std::size_t column, std::optional<std::size_t> number, TokenKind kind,
                         const char* at) {
   const auto wanted = static_cast<std::ptrdiff_t>(column);
@@ -224,7 +224,7 @@ void Scanner::indent_to(std::size_t column, std::optional<std::size_t> number, T
   }
 }
 
-/// Ends the blocks that lie further right than a column.
+/// Ends the blocks that are further right than a column.
 void Scanner::unindent_to(std::ptrdiff_t column) {
   if (candidates_.size() > 1) return;
   while (indent_ > column) {
@@ -234,7 +234,7 @@ void Scanner::unindent_to(std::ptrdiff_t column) {
   }
 }
 
-// A function a kind of token.
+// One function per kind of token.
 
 bool Scanner::fetch_stream_end() {
   candidates_.resize(1);
@@ -289,7 +289,7 @@ bool Scanner::fetch_flow_entry() {
 }
 
 bool Scanner::fetch_block_entry() {
-  // In a flow collection the parser finds the fault, since it knows what it is in.
+  // In a flow collection the parser reports the fault, because it knows the collection.
   if (candidates_.size() == 1) {
     if (!allows_key_) {
       return fail(cursor_.position(), "expected no '-' here: an entry of a list starts a line");
@@ -338,7 +338,7 @@ bool Scanner::fetch_value() {
   return true;
 }
 
-/// Takes a row of numbers as a whole, where an entry of a sequence may be one.
+/// Consumes a row of numbers as a whole where an entry of a sequence may be one.
 bool Scanner::fetch_row() {
   const bool is_in_flow = candidates_.size() > 1;
   const bool starts_entry =

@@ -12,25 +12,25 @@
 
 namespace kinefile::text::yaml {
 
-/// Why a text is no YAML.
+/// Why a text is not YAML.
 struct Fault {
   const char* code = nullptr;  ///< of docs/errors.md
   std::string message;
   const char* at = nullptr;
 };
 
-/// Cuts a YAML text into tokens, among them those that only its indentation says: the starts and
-/// ends of blocks, and the mark before a key, which is known for one only when its colon comes.
-/// Source: YAML 1.1, and what libyaml does where that leaves a choice.
+/// Splits a YAML text into tokens. These include tokens that follow from the indentation: the
+/// starts and ends of blocks, and the mark before a key, which is recognised only at its colon.
+/// Source: YAML 1.1, and the behaviour of libyaml where YAML leaves a choice.
 class Scanner {
  public:
   /// \param text  UTF-8, must outlive this
-  /// \param rows  takes rows of numbers, where they are wanted as a whole; else null
+  /// \param rows  reads rows of numbers as a whole; null if that is not wanted
   Scanner(std::string_view text, NumberRows* rows);
 
-  /// The next token, without taking it; null after a fault.
+  /// The next token, without consuming it; null after a fault.
   const Token* peek();
-  /// Takes the token that `peek` showed.
+  /// Consumes the token that `peek` returned.
   void pop();
 
   const std::optional<Fault>& fault() const { return fault_; }
@@ -40,10 +40,10 @@ class Scanner {
   std::string_view keep(std::string text) { return kept_.emplace_back(std::move(text)); }
 
  private:
-  /// A token that may turn out to be a key, once its colon comes.
+  /// A token that becomes a key if its colon follows.
   struct KeyCandidate {
     bool is_possible = false;
-    bool is_required = false;  ///< it stands where a block mapping's key must
+    bool is_required = false;  ///< it is where a block mapping's key must be
     std::size_t token = 0;     ///< its number among all tokens
     std::size_t line = 0;
     std::size_t column = 0;
@@ -116,10 +116,11 @@ class Scanner {
   bool allows_key_ = true;  ///< whether a key of one line may start here
   std::ptrdiff_t indent_ = -1;
   std::vector<std::ptrdiff_t> indents_;
-  std::vector<KeyCandidate> candidates_ = {KeyCandidate{}};  ///< one a flow level, and the block's
+  std::vector<KeyCandidate> candidates_ = {
+      KeyCandidate{}};  ///< one per flow level, and one for the block
   std::vector<bool> flow_is_sequence_;
   std::deque<std::string> kept_;
-  const char* checked_;  ///< up to here, the text holds only what YAML allows
+  const char* checked_;  ///< up to here, the text has only characters that YAML allows
   std::optional<Fault> fault_;
 };
 

@@ -29,10 +29,10 @@ enum class TokenKind {
   Anchor,
   Tag,
   Scalar,
-  Row,  ///< a flow sequence of plain numbers, taken as a whole
+  Row,  ///< a flow sequence of plain numbers as a whole
 };
 
-/// A piece of a YAML text, as its grammar counts them (YAML 1.1, chapters 4 and 5).
+/// A token of YAML's grammar (YAML 1.1, chapters 4 and 5).
 struct Token {
   TokenKind kind = TokenKind::StreamEnd;
   const char* at = nullptr;  ///< where it starts in the text

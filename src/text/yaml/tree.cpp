@@ -10,8 +10,8 @@
 namespace kinefile::text::yaml {
 namespace {
 
-/// How many nodes, numbers and pieces of text aliases and merges may add to a document: so many,
-/// and so many for each byte of the text, which can say billions of them.
+/// How many nodes, numbers and pieces of text aliases and merges may add to a document: a constant,
+/// plus a number per byte of the text. A short text could otherwise add billions.
 constexpr std::size_t kMostAdded = 100'000;
 constexpr std::size_t kMostAddedPerByte = 4;
 /// Characters of a scalar that count as one value.
@@ -19,7 +19,7 @@ constexpr std::size_t kPieceOfText = 8;
 /// Where counting stops.
 constexpr std::size_t kCountLimit = std::numeric_limits<std::size_t>::max() / 4;
 
-/// Bytes of a row besides its text: a line end, the indentation, "- ".
+/// The bytes of a row besides its text: a line end, the indentation, "- ".
 constexpr std::size_t kRowMargin = 9;
 
 std::size_t added(std::size_t a, std::size_t b) { return std::min(a + b, kCountLimit); }
@@ -130,7 +130,7 @@ class TreeBuilder {
     attach(node);
   }
 
-  /// Puts a finished node into the one that is open.
+  /// Adds a finished node to the open one.
   void attach(const Node& node) {
     if (open_.empty()) {
       tree_.root_ = &node;
@@ -185,8 +185,8 @@ class TreeBuilder {
       sequence.rows->entries.push_back({{child->at, 0}, 0, child});
     }
     sequence.children.clear();
-    // As many more rows as the text may hold, so that numbers need not move. Memory that is not
-    // used is not taken.
+    // Reserves space for as many more rows as the text may contain, so that numbers need not move.
+    // Unused memory is not committed.
     const auto num_bytes = static_cast<std::size_t>(source_.end() - event.at);
     const std::size_t num_rows = num_bytes / (event.value.size() + kRowMargin) + 1;
     std::size_t num_values = 0;
@@ -197,7 +197,7 @@ class TreeBuilder {
     sequence.rows->values.reserve(num_rows * num_values);
   }
 
-  /// Leaves the last of keys that stand several times, and brings in what merges name.
+  /// Keeps the last of repeated keys, and adds the entries of merges.
   void finish_mapping(Node& mapping) {
     std::vector<const Node*> children;
     std::vector<const Node*> merged;
@@ -258,8 +258,9 @@ class TreeBuilder {
 };
 
 std::unique_ptr<RowEntries> Tree::take_rows(const Node& sequence) {
-  if (has_aliases_) return std::make_unique<RowEntries>(*sequence.rows);  // others may need them
-  // Nodes are the tree's own; it shows them as constant to others.
+  if (has_aliases_)
+    return std::make_unique<RowEntries>(*sequence.rows);  // other nodes may need them
+  // The tree owns its nodes; it only shows them to others as const.
   return std::move(const_cast<Node&>(sequence).rows);
 }
 

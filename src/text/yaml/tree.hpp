@@ -18,10 +18,10 @@ enum class NodeKind { Scalar, Sequence, Mapping };
 
 struct Node;
 
-/// The entries of a sequence some of which are rows of numbers.
+/// The entries of a sequence in which some are rows of numbers.
 struct RowEntries {
   struct Entry {
-    std::string_view text;       ///< of a row; of another node, where it starts
+    std::string_view text;       ///< the text of a row; for another node, where it starts
     std::uint32_t shape = 0;     ///< of a row
     const Node* node = nullptr;  ///< null for a row
   };
@@ -37,11 +37,11 @@ struct Node {
   std::string_view text;  ///< of a scalar
   ScalarStyle style = ScalarStyle::Plain;
   bool is_flow = false;
-  /// Of a sequence its entries, of a mapping a key and a value in turn: each key once, what `<<`
-  /// brings at the end. Empty where `rows` has the entries.
+  /// The entries of a sequence; for a mapping, keys and values in turn: each key once, entries from
+  /// `<<` at the end. Empty if `rows` has the entries.
   std::vector<const Node*> children;
   std::unique_ptr<RowEntries> rows;
-  std::size_t size = 1;  ///< the nodes in it, aliases counted as what they stand for, and
+  std::size_t size = 1;  ///< the nodes in it, aliases counted with their content, and
                          ///< long texts as several
 
   bool is_plain() const { return kind == NodeKind::Scalar && style == ScalarStyle::Plain; }
@@ -54,9 +54,10 @@ class Tree {
   const RowShape& shape(std::size_t index) const { return rows_.shape(index); }
   /// How many numbers a row of a shape has.
   std::size_t num_values(std::size_t index) const { return rows_.num_values(index); }
-  /// Whether the document has comments, which a tree does not hold.
+  /// Whether the document has comments, which a tree does not contain.
   bool has_comments() const { return parser_->has_comments(); }
-  /// Takes the rows out of a sequence of the tree, which has some.
+  /// Moves the rows out of a sequence of the tree, or copies them if aliases may need them.
+  /// Precondition: it has rows.
   std::unique_ptr<RowEntries> take_rows(const Node& sequence);
 
  private:
@@ -68,13 +69,13 @@ class Tree {
   bool has_aliases_ = false;
 };
 
-/// Reads the first document of a text; what follows it is told and not read. Aliases become what
-/// they stand for, merges (`<<`) what they bring; of a key that stands twice the later one counts.
-/// Null after errors, which are in `diagnostics`.
+/// Reads the first document of a text; further text is reported and not read. Aliases and merges
+/// (`<<`) are replaced by their content; of a repeated key the later one is used. Null after
+/// errors, which are in `diagnostics`.
 /// \errors YML001 to YML011
 std::unique_ptr<Tree> read_tree(const Source& source, Diagnostics& diagnostics);
 
-/// The value of a key of a mapping; null if it has none, or is no mapping.
+/// The value of a key of a mapping; null if it has none, or is not a mapping.
 const Node* find(const Node& node, std::string_view key);
 
 }  // namespace kinefile::text::yaml

@@ -68,6 +68,8 @@ class OutputFile {
   /// \errors IO002 if it exists and may not be replaced, IO003 if it cannot be written
   static Result<OutputFile> create(const std::string& path, bool replace);
 
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) noexcept;
   ~OutputFile();

@@ -67,10 +67,9 @@ class FormatOptions {
   FormatOptions() = default;
 
   /// The options of one format: `{.of_formats = bvh::ReadOptions{...}}`.
-  template <class T>
-  requires(!std::is_same_v<std::remove_cvref_t<T>, FormatOptions>)
-      FormatOptions(T&& options)  // NOLINT(*-explicit-*): the struct is what it is made of
-      : structs_{std::any(std::forward<T>(options))} {}
+  template <class T, class = std::enable_if_t<!std::is_same_v<T, FormatOptions>>>
+  FormatOptions(T options)  // NOLINT(*-explicit-*): the struct is what it is made of
+      : structs_{std::any(std::move(options))} {}
 
   /// The options of type T as they were set, otherwise their defaults.
   template <class T>

@@ -123,7 +123,7 @@ int first_block(const PoseFlow& flow);
 
 /// The targets of a block's arrows that can be followed: of the normal arrow, and for loops,
 /// branches and WORD_N poses of the branch. `kNoBlock` is omitted.
-std::vector<int> successors(const PoseFlow& flow, std::size_t block);
+std::vector<int> successors(const PoseFlow& flow, std::size_t number);
 
 /// Whether each block is reachable from the first one; shape (blocks). All false without a first
 /// block.

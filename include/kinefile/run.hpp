@@ -90,7 +90,7 @@ struct RunTable {
 bool write_run_csv(const RunTable& table, const Sink& sink);
 
 /// A trace of a run as text: one line per block, events, how it ended and the final variables.
-std::string trace_of(const PoseFlow& flow, const TimedRun& run);
+std::string trace_of(const PoseFlow& flow, const TimedRun& timed);
 
 }  // namespace kinefile
 

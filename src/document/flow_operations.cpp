@@ -189,7 +189,7 @@ struct Merge {
 Result<PoseFlow> merge_flow(const PoseFlow& flow, const Merge& merge,
                             const OperationContext& context, Diagnostics&) {
   const auto other = other_flow(merge.file, context);
-  if (!other) return other;
+  if (!other) return fail(other.error());
   return flow::merge(flow, *other, merge.sliders);
 }
 
@@ -215,7 +215,7 @@ struct Insert {
 Result<PoseFlow> insert_flow(const PoseFlow& flow, const Insert& insert,
                              const OperationContext& context, Diagnostics&) {
   const auto other = other_flow(insert.file, context);
-  if (!other) return other;
+  if (!other) return fail(other.error());
   return flow::insert(flow, insert.block, *other);
 }
 

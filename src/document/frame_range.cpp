@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,13 +15,13 @@ std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_f
   FrameRange range{0, num_frames, 1};
   if (text.empty()) return range;
   if (parts.size() > 3 || parts.size() < 2) return std::nullopt;
-  std::size_t* const numbers[] = {&range.begin, &range.end, &range.step};
+  const std::array<std::size_t*, 3> numbers = {&range.begin, &range.end, &range.step};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string& part = parts[i];
     if (part.empty() && i < 2) continue;
-    const char* end = part.data() + part.size();
-    const auto [next, error] = std::from_chars(part.data(), end, *numbers[i]);
-    if (error != std::errc() || next != end) return std::nullopt;
+    const auto number = words::integer<std::size_t>(part);
+    if (!number) return std::nullopt;
+    *numbers[i] = *number;
   }
   const bool is_inside = range.begin <= range.end && range.end <= num_frames && range.step > 0;
   if (!is_inside) return std::nullopt;

@@ -27,7 +27,7 @@ struct Trim {
   std::optional<std::size_t> begin, end;
 };
 
-Result<Motion> trim_frames(Motion motion, const Trim& range, const OperationContext&,
+Result<Motion> trim_frames(const Motion& motion, const Trim& range, const OperationContext&,
                            Diagnostics&) {
   return edit::trim(motion, range.begin.value_or(0), range.end.value_or(motion.clip.num_frames));
 }
@@ -70,8 +70,8 @@ constexpr Parameter factor_parameter(string_view help) {
 constexpr std::array<Parameter, 1> kSpeed = {factor_parameter("How many times as fast")};
 constexpr std::array<Parameter, 1> kScale = {factor_parameter("What lengths are multiplied by")};
 
-Result<Motion> change_speed(Motion motion, const Factor& speed, const OperationContext& context,
-                            Diagnostics& diagnostics) {
+Result<Motion> change_speed(const Motion& motion, const Factor& speed,
+                            const OperationContext& context, Diagnostics& diagnostics) {
   const auto map = retime::speed_map(motion.clip, speed.factor);
   if (!map) return fail(map.error());
   retime::RetimeOptions options;
@@ -83,8 +83,8 @@ struct Mirror {
   std::optional<Axis> axis;
 };
 
-Result<Motion> mirror_motion(Motion motion, const Mirror& mirror, const OperationContext& context,
-                             Diagnostics& diagnostics) {
+Result<Motion> mirror_motion(const Motion& motion, const Mirror& mirror,
+                             const OperationContext& context, Diagnostics& diagnostics) {
   const std::size_t axis = mirror.axis ? static_cast<std::size_t>(*mirror.axis)
                                        : edit::guess_mirror_axis(motion.skeleton);
   return edit::mirror(motion, axis, context.lenient, diagnostics);
@@ -137,7 +137,8 @@ struct Loop {
   std::size_t blend = 0;
 };
 
-Result<Motion> repeat(Motion motion, const Loop& loop, const OperationContext&, Diagnostics&) {
+Result<Motion> repeat(const Motion& motion, const Loop& loop, const OperationContext&,
+                      Diagnostics&) {
   return edit::loop(motion, loop.count, loop.blend);
 }
 
@@ -187,7 +188,7 @@ struct Joints {
   std::vector<std::string> names;
 };
 
-Result<Motion> keep_joints(Motion motion, const Joints& joints, const OperationContext&,
+Result<Motion> keep_joints(const Motion& motion, const Joints& joints, const OperationContext&,
                            Diagnostics& diagnostics) {
   return edit::joints(motion, joints.names, diagnostics);
 }

@@ -68,12 +68,9 @@ OperationForm form(std::span<const Parameter> parameters = {}) {
           }};
 }
 
-/// What an operation does to a motion.
-template <class Options>
-using ChangeOfMotion = Result<Motion> (*)(Motion, const Options&, const OperationContext&,
-                                          Diagnostics&);
-
-template <class Options, ChangeOfMotion<Options> Change>
+/// \tparam Change  Result<Motion>(Motion or const Motion&, const Options&, const OperationContext&,
+///                 Diagnostics&)
+template <class Options, auto Change>
 Result<void> change_motion_by(Document& document, const Options& options,
                               const OperationContext& context, Diagnostics& diagnostics) {
   return change_motion(document, [&](Motion motion) {
@@ -82,7 +79,7 @@ Result<void> change_motion_by(Document& document, const Options& options,
 }
 
 /// The form of an operation that is a function of a motion.
-template <class Options, ChangeOfMotion<Options> Change>
+template <class Options, auto Change>
 OperationForm motion_form(std::span<const Parameter> parameters = {}) {
   return form<Options, change_motion_by<Options, Change>>(parameters);
 }

@@ -136,12 +136,13 @@ Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
 }
 
 Result<void> rename(Document& document, const std::string& old_name, const std::string& new_name) {
-  if (!has_skeleton(document)) {
+  Motion* motion = std::get_if<Motion>(&document.content);
+  Skeleton* const found =
+      motion != nullptr ? &motion->skeleton : std::get_if<Skeleton>(&document.content);
+  if (found == nullptr) {
     return fail(wrong_kind(document, "a motion or a skeleton, which have joints to rename"));
   }
-  Motion* motion = std::get_if<Motion>(&document.content);
-  Skeleton& skeleton =
-      motion != nullptr ? motion->skeleton : *std::get_if<Skeleton>(&document.content);
+  Skeleton& skeleton = *found;
   if (!has_joint(skeleton, old_name)) return fail(no_such_joint(old_name));
   if (new_name == old_name) return {};
   if (new_name.empty() || has_joint(skeleton, new_name)) {

@@ -58,7 +58,7 @@ std::vector<Quat> rest_frames(const Skeleton& skeleton) {
   std::vector<Quat> frames;
   for (const Joint& joint : skeleton.joints) {
     const Quat parent = joint.parent == kNoParent ? Quat(Quat::Identity()) : frames[joint.parent];
-    frames.push_back(parent * joint.rest_rotation);
+    frames.emplace_back(parent * joint.rest_rotation);
   }
   return frames;
 }

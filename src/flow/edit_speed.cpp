@@ -117,7 +117,7 @@ std::vector<Block> parted(const Block& block, std::size_t number, std::int64_t n
 std::int64_t ticks_at(double factor, int ticks, std::size_t number, Diagnostics& diagnostics) {
   const double exact = ticks / factor;
   if (exact < 1) {
-    diagnostics.add(Severity::Note, "FLW015",
+    diagnostics.add(Severity::Note, "FLW016",
                     fmt::format("block {} would take {:.3g} ticks and takes one", number, exact));
   }
   return std::max(std::int64_t{1}, static_cast<std::int64_t>(std::round(exact)));

@@ -45,7 +45,7 @@ std::string resolved(const std::string& path) {
   char* real = ::realpath(path.c_str(), nullptr);
   if (real == nullptr) return path;
   std::string target(real);
-  std::free(real);
+  std::free(real);  // NOLINT(*-no-malloc): realpath allocates with malloc
   return target;
 }
 

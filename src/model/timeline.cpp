@@ -19,11 +19,13 @@ Decimals decimals_of(double value) {
   value = std::abs(value);
   if (value == 0) return {1, 1};
   double scale = 1;  // a power of ten, exact up to 10^22
-  for (int places = 0; places <= 22; ++places, scale *= 10) {
+  for (int places = 0; places <= 22; ++places) {
     const double digits = std::round(value * scale);
     if (digits >= 1e15) break;
-    if (digits / scale != value) continue;
-    return {1 / scale, static_cast<int>(std::floor(std::log10(digits))) + 1};
+    if (digits / scale == value) {
+      return {1 / scale, static_cast<int>(std::floor(std::log10(digits))) + 1};
+    }
+    scale *= 10;
   }
   return {};
 }

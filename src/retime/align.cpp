@@ -81,6 +81,7 @@ std::vector<FramePair> align_frames(const Motion& reference, const Motion& motio
     return align(angles_of_frames(reference, shared.first),
                  angles_of_frames(motion, shared.second));
   }
+  // NOLINTNEXTLINE(readability-suspicious-call-argument): both are brought to one scale
   return align(points_of_frames(reference, shared.first, length_scale(reference, motion)),
                points_of_frames(motion, shared.second, length_scale(motion, reference)));
 }

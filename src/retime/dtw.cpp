@@ -37,10 +37,9 @@ class Table {
       : run_(longest_run(num_rows, num_columns)),
         num_states_(2 * run_ + 1),
         num_columns_(num_columns),
-        origins_(num_rows * num_columns * 3) {
-    row_.assign(num_columns * num_states_, kNoWay);
-    above_ = row_;
-  }
+        row_(num_columns * num_states_, kNoWay),
+        above_(row_),
+        origins_(num_rows * num_columns * 3) {}
 
   void set_start(double cost) { row_[0] = cost; }
   void next_row() {

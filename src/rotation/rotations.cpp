@@ -91,8 +91,7 @@ void products_of_rotations(std::span<const Vec3> axes, const AngleColumns& angle
   }
 }
 
-void turn_axes(const Mat3& turn, simd::Quaternions& q) {
-  const Mat3 m = turn;
+void turn_axes(const Mat3& m, simd::Quaternions& q) {
   const Pointers to(q);
   for (std::size_t i = 0; i < q[0].size(); ++i) {
     const double x = to.x[i], y = to.y[i], z = to.z[i];

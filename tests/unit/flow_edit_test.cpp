@@ -158,8 +158,8 @@ TEST(FlowEdit, ASpeedDividesTimes) {
   EXPECT_EQ(text_of(diagnostics), "");
   EXPECT_EQ(ticks_of(made(flow::speed(straight(), 25, diagnostics))), (std::vector<int>{1, 1, 1}));
   EXPECT_EQ(text_of(diagnostics),
-            "note[FLW015]: block 1 would take 0.4 ticks and takes one\n"
-            "note[FLW015]: block 2 would take 0.8 ticks and takes one\n");
+            "note[FLW016]: block 1 would take 0.4 ticks and takes one\n"
+            "note[FLW016]: block 2 would take 0.8 ticks and takes one\n");
 }
 
 TEST(FlowEdit, ASlowPoseIsPartedOnItsLine) {

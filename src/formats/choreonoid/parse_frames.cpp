@@ -168,7 +168,7 @@ class FrameReader {
   }
 
   /// A shape as text: "a time and 2 poses of 7 numbers each".
-  std::string words_of(const RowShape& shape) const {
+  static std::string words_of(const RowShape& shape) {
     const auto numbers = [](std::int64_t count) {
       return fmt::format("{} number{}", count, count == 1 ? "" : "s");
     };

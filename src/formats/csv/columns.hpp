@@ -55,6 +55,6 @@ struct Group {
 /// Determines the columns from the header. If `options.skeleton` is given, joints are matched to
 /// ids by name. Empty after an error.
 std::vector<Group> parse_header(const TableReader& reader,
-                                const std::vector<text::CsvField>& header);
+                                const std::vector<text::CsvField>& fields);
 
 }  // namespace kinefile::csv

@@ -117,6 +117,7 @@ class SetReader {
     const Part* waist = part(".waist");
     const Part* hip = part(".hip");
     if (hip != nullptr && !has_columns(*hip, {3}, "3 (roll, pitch, yaw)")) return;
+    if (waist == nullptr && hip == nullptr) return;  // there is no root without either
     if (waist == nullptr) {
       report(*hip, Severity::Warning, code::kNoOrientation,
              "expected a .waist file beside it, found none; the root stays at the origin");

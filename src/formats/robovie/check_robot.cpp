@@ -41,7 +41,7 @@ class ProjectCheck {
   void check(const PoseBlock& pose, FlowFormat format, const BlockPlaces& places) const {
     const char* const sound = places.settings[format == FlowFormat::WordN ? 4 : 2];
     const bool knows_sounds = !sounds_.empty();  // the list may be missing
-    if (knows_sounds && !pose.sound.empty() && sounds_.count(sound_key(pose.sound)) == 0) {
+    if (knows_sounds && !pose.sound.empty() && !sounds_.contains(sound_key(pose.sound))) {
       reader_.warn(
           code::kUnknownSound,
           fmt::format("expected a sound of the project's list, found {}", text::quoted(pose.sound)),

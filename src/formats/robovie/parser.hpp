@@ -37,8 +37,8 @@ class Parser {
   PoseBlock pose(const Settings& settings);
   void parse_words_of(const Settings& settings, PoseBlock& pose);
   void parse_mask(const Settings& settings, PoseBlock& pose);
-  ArithmeticBlock arithmetic(const Settings& settings, bool has_variable);
-  BranchBlock branch(const Settings& settings);
+  static ArithmeticBlock arithmetic(const Settings& settings, bool has_variable);
+  static BranchBlock branch(const Settings& settings);
   /// An arrow as a number, which is checked against the number of blocks later.
   int arrow(const Settings& settings, std::size_t i);
 

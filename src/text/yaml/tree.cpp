@@ -139,7 +139,7 @@ class TreeBuilder {
     Node& parent = *open_.back();
     parent.size = added(parent.size, node.size);
     if (parent.rows) {
-      parent.rows->entries.push_back({{node.at, 0}, 0, &node});
+      parent.rows->entries.push_back({std::string_view(node.at, 0), 0, &node});
     } else {
       parent.children.push_back(&node);
     }
@@ -182,7 +182,7 @@ class TreeBuilder {
   void start_rows(Node& sequence, const Event& event) {
     sequence.rows = std::make_unique<RowEntries>();
     for (const Node* child : sequence.children) {
-      sequence.rows->entries.push_back({{child->at, 0}, 0, child});
+      sequence.rows->entries.push_back({std::string_view(child->at, 0), 0, child});
     }
     sequence.children.clear();
     // Reserves space for as many more rows as the text may contain, so that numbers need not move.

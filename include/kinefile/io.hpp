@@ -116,7 +116,7 @@ struct MemoryFile {
 
 /// Files in memory.
 /// \param files  receives them when they are committed
-OutputFiles files_in_memory(std::shared_ptr<std::vector<MemoryFile>> files);
+OutputFiles files_in_memory(const std::shared_ptr<std::vector<MemoryFile>>& files);
 
 /// Writes a document: its file, and the files that belong to it (the skeleton of an AMC file, the
 /// files of a set). Standard output takes one file only. Nothing is committed.

@@ -23,6 +23,8 @@ struct OutputFile::State {
   State() = default;
   State(const State&) = delete;
   State& operator=(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(State&&) = delete;
   ~State() {
     if (descriptor > STDERR_FILENO) ::close(descriptor);
     if (!temporary.empty()) ::unlink(temporary.c_str());

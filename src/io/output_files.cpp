@@ -55,7 +55,7 @@ OutputFiles files_on_disk(bool replace) {
   return disk;
 }
 
-OutputFiles files_in_memory(std::shared_ptr<std::vector<MemoryFile>> files) {
+OutputFiles files_in_memory(const std::shared_ptr<std::vector<MemoryFile>>& files) {
   auto started = std::make_shared<std::vector<std::unique_ptr<MemoryFile>>>();
   OutputFiles memory;
   memory.open = [started](const std::string& name) -> Result<Sink> {

@@ -91,13 +91,13 @@ void products_of_rotations(std::span<const Vec3> axes, const AngleColumns& angle
   }
 }
 
-void turn_axes(const Mat3& m, simd::Quaternions& q) {
-  const Pointers to(q);
-  for (std::size_t i = 0; i < q[0].size(); ++i) {
+void turn_axes(const Mat3& turn, simd::Quaternions& quaternions) {
+  const Pointers to(quaternions);
+  for (std::size_t i = 0; i < quaternions[0].size(); ++i) {
     const double x = to.x[i], y = to.y[i], z = to.z[i];
-    to.x[i] = m(0, 0) * x + m(0, 1) * y + m(0, 2) * z;
-    to.y[i] = m(1, 0) * x + m(1, 1) * y + m(1, 2) * z;
-    to.z[i] = m(2, 0) * x + m(2, 1) * y + m(2, 2) * z;
+    to.x[i] = turn(0, 0) * x + turn(0, 1) * y + turn(0, 2) * z;
+    to.y[i] = turn(1, 0) * x + turn(1, 1) * y + turn(1, 2) * z;
+    to.z[i] = turn(2, 0) * x + turn(2, 1) * y + turn(2, 2) * z;
   }
 }
 

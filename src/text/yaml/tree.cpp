@@ -10,6 +10,11 @@
 namespace kinefile::text::yaml {
 namespace {
 
+/// An empty text where a node starts.
+std::string_view place_of(const Node& node) {
+  return {node.at, 0};  // NOLINT(bugprone-string-constructor): its place is what counts
+}
+
 /// How many nodes, numbers and pieces of text aliases and merges may add to a document: a constant,
 /// plus a number per byte of the text. A short text could otherwise add billions.
 constexpr std::size_t kMostAdded = 100'000;
@@ -139,7 +144,7 @@ class TreeBuilder {
     Node& parent = *open_.back();
     parent.size = added(parent.size, node.size);
     if (parent.rows) {
-      parent.rows->entries.push_back({std::string_view(node.at, 0), 0, &node});
+      parent.rows->entries.push_back({place_of(node), 0, &node});
     } else {
       parent.children.push_back(&node);
     }
@@ -182,7 +187,7 @@ class TreeBuilder {
   void start_rows(Node& sequence, const Event& event) {
     sequence.rows = std::make_unique<RowEntries>();
     for (const Node* child : sequence.children) {
-      sequence.rows->entries.push_back({std::string_view(child->at, 0), 0, child});
+      sequence.rows->entries.push_back({place_of(*child), 0, child});
     }
     sequence.children.clear();
     // Reserves space for as many more rows as the text may contain, so that numbers need not move.

@@ -81,8 +81,10 @@ using WriteOption = Option<WriteOptions>;
 
 /// What the conversion of a document to a format must know of the format's files.
 struct Conventions {
-  Kinds writes = {};   ///< the kinds that `Format::write` accepts
-  std::size_t up = 1;  ///< the axis that points up in written files, 1 y or 2 z
+  Kinds writes = {};  ///< the kinds that `Format::write` accepts
+  /// The axis that points up in written files, 1 y or 2 z. Absent: either; a body motion that
+  /// becomes a motion then gets y, which most programs have.
+  std::optional<std::size_t> up = std::nullopt;
   std::optional<AngleUnit> angle_unit = std::nullopt;  ///< absent: either
   bool turns_at_rest = true;                           ///< whether joints may have rest rotations
   /// Whether a joint is a bone with one end, at which all of its children are.

@@ -143,7 +143,8 @@ void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnosti
   }
 }
 
-Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
+/// \param usual_up  1 y, 2 z
+Result<Motion> motion_of(const BodyMotion& body, std::size_t usual_up, const KindOptions& options,
                          Diagnostics& diagnostics) {
   tell_dropped(body, options.model != nullptr, diagnostics);
   auto posed = options.model != nullptr
@@ -151,7 +152,7 @@ Result<Motion> motion_of(const BodyMotion& body, const KindOptions& options,
                    : robot::motion_of_links(body);
   if (!posed) return posed;
   tell_unread(*posed, diagnostics);
-  return turned_up(robot::without_free_joints(*posed), 1, options, diagnostics);
+  return turned_up(robot::without_free_joints(*posed), usual_up, options, diagnostics);
 }
 
 /// The same components with the robot's names of joints, in order of their ids, and of links.
@@ -233,14 +234,14 @@ Result<Document> as_columns(Document document, const BodyMotion& body, const Ske
 }
 
 /// A motion or a skeleton with the requested up axis.
-Result<Document> with_up_axis(Document document, const KindOptions& options,
-                              Diagnostics& diagnostics) {
-  if (!options.up) return document;
-  Motion motion{skeleton_of(document), {}};
-  motion.clip.num_coordinates = motion.skeleton.coordinates.size();
+/// \param usual  the format's; absent: either
+Result<Document> with_up_axis(Document document, std::optional<std::size_t> usual,
+                              const KindOptions& options, Diagnostics& diagnostics) {
+  const std::optional<std::size_t> up = options.up ? options.up : usual;
+  if (!up || options.keeps_up) return document;
   Motion* const moving = std::get_if<Motion>(&document.content);
-  if (moving != nullptr) motion = std::move(*moving);
-  auto turned = turned_up(std::move(motion), *options.up, options, diagnostics);
+  Motion motion = moving != nullptr ? std::move(*moving) : still_or_moving(document);
+  auto turned = turned_up(std::move(motion), *up, options, diagnostics);
   if (!turned) return fail(std::move(turned.error()));
   if (moving != nullptr) {
     document.content = std::move(*turned);
@@ -256,7 +257,7 @@ Result<Document> motion_for(const Conventions& conventions, Document document,
   const Motion* motion = std::get_if<Motion>(&document.content);
   const bool wants_columns = conventions.has_columns_of_components && options.form && motion;
   if (!takes_bodies_alone(conventions) && !wants_columns) {
-    return with_up_axis(std::move(document), options, diagnostics);
+    return with_up_axis(std::move(document), conventions.up, options, diagnostics);
   }
   if (motion == nullptr) {
     return fail(make_error(ErrorKind::Usage, "CNV002",
@@ -299,7 +300,7 @@ Result<Document> body_for(const Conventions& conventions, Document document,
     return document;
   }
   document.format.clear();
-  auto motion = motion_of(body, options, diagnostics);
+  auto motion = motion_of(body, conventions.up.value_or(1), options, diagnostics);
   if (!motion) return fail(std::move(motion.error()));
   document.content = std::move(*motion);
   return document;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -68,6 +69,24 @@ TEST(Process, WhatFailsWritesNothingAndSaysWhere) {
   EXPECT_TRUE(result.files.empty());
   EXPECT_TRUE(result.report.files.empty());
   EXPECT_EQ(done(job_of("no motion", {}, "y.bvh")).report.error->code, "BVH001");
+}
+
+/// The axis that points up in a walk on its way to a format of motions in which z does.
+std::size_t up_in_format_of_z(const KindOptions& options) {
+  Format format;
+  format.name = "toy";
+  format.conventions.writes = {.motions = true};
+  format.conventions.up = 2;
+  Diagnostics diagnostics;
+  const auto made = in_kind_of(format, {examples::make_walk({.num_frames = 20}), "bvh", {}},
+                               options, diagnostics);
+  return made ? guess_up_axis(std::get<Motion>(made->content)) : 0;
+}
+
+TEST(Conversion, AFormatsConventionSaysWhatPointsUpUnlessAnOptionDoes) {
+  EXPECT_EQ(up_in_format_of_z({}), 2u);
+  EXPECT_EQ(up_in_format_of_z({.up = 1}), 1u);
+  EXPECT_EQ(up_in_format_of_z({.keeps_up = true}), 1u);
 }
 
 TEST(Operations, EveryOperationIsDescribed) {

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "kinefile/array.hpp"
+
 #pragma GCC visibility push(default)
 
 namespace kinefile {
@@ -26,8 +28,8 @@ struct FrameRate {
 
 /// Frames that have their own times.
 struct FrameTimes {
-  std::vector<double> seconds;  ///< one per frame, strictly increasing unless the reader was
-                                ///< lenient
+  Array<double> seconds;  ///< one per frame, strictly increasing unless the reader was
+                          ///< lenient
   std::optional<double> per_second = std::nullopt;  ///< the import rate that the file specifies, if
                                                     ///< any
   bool operator==(const FrameTimes&) const = default;
@@ -42,7 +44,7 @@ struct Timeline {
 };
 
 /// The frames' own times; empty if the frames are at equal intervals.
-const std::vector<double>& own_times(const Timeline& timeline);
+const Array<double>& own_times(const Timeline& timeline);
 
 /// Whether the frames have their own times.
 bool has_own_times(const Timeline& timeline);

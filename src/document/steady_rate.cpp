@@ -28,15 +28,15 @@ Result<SteadyRate> rate_of_components(const BodyMotion& body) {
   const Component& main = *main_component(body);
   const FrameTimes* own = std::get_if<FrameTimes>(&main.timeline.given);
   if (own == nullptr || own->per_second) return retime::rate_for(main.timeline);
-  FrameTimes all;
+  std::vector<double> all;
   for (const Component& component : body.components) {
     if (auto rate = retime::rate_for(component.timeline); !rate) return rate;
-    const std::vector<double>& times = own_times(component.timeline);
-    all.seconds.insert(all.seconds.end(), times.begin(), times.end());
+    const Array<double>& times = own_times(component.timeline);
+    all.insert(all.end(), times.begin(), times.end());
   }
-  std::sort(all.seconds.begin(), all.seconds.end());
-  all.seconds.erase(std::unique(all.seconds.begin(), all.seconds.end()), all.seconds.end());
-  return retime::rate_for({all, 0});
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return retime::rate_for({FrameTimes{all}, 0});
 }
 
 /// The time of the earliest first frame.

@@ -24,8 +24,8 @@ Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end) {
   timeline = clip.timeline;
   timeline.first_frame_number += static_cast<std::int64_t>(begin);
   if (FrameTimes* own = std::get_if<FrameTimes>(&timeline.given)) {
-    const double* times = own_times(clip.timeline).data();
-    own->seconds.assign(times + begin, times + end);
+    const std::span<const double> times = own_times(clip.timeline);
+    own->seconds = Array<double>(times.subspan(begin, end - begin));
   }
   return result;
 }
@@ -37,10 +37,12 @@ Motion reverse(Motion motion) {
     const auto row = rows[f];
     std::swap_ranges(row.begin(), row.end(), rows[clip.num_frames - 1 - f].begin());
   }
-  const std::vector<double> times = own_times(clip.timeline);
-  FrameTimes* const own = std::get_if<FrameTimes>(&clip.timeline.given);
-  for (std::size_t f = 0; f < times.size(); ++f) {
-    own->seconds[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
+  const Array<double> times = own_times(clip.timeline);
+  if (FrameTimes* const own = std::get_if<FrameTimes>(&clip.timeline.given)) {
+    const std::span<double> reversed = own->seconds.mutate();
+    for (std::size_t f = 0; f < times.size(); ++f) {
+      reversed[f] = times.front() + (times.back() - times[times.size() - 1 - f]);
+    }
   }
   return motion;
 }

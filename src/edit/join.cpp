@@ -105,7 +105,7 @@ double step_between(const Clip& first, const Clip& second) {
   if (!has_own_times(first.timeline)) return frame_time(first.timeline);
   const double own = median_step(own_times(first.timeline));
   if (own > 0) return own;
-  const std::vector<double>& times = own_times(second.timeline);
+  const Array<double>& times = own_times(second.timeline);
   return has_own_times(second.timeline) ? median_step(times) : frame_time(second.timeline);
 }
 

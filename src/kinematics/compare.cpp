@@ -36,8 +36,9 @@ std::vector<JointPair> pair_joints(const Skeleton& first, const Skeleton& second
 /// Finds the frames of a clip that are nearest to times.
 class NearestFrames {
  public:
-  explicit NearestFrames(const Clip& clip) : clip_(clip), times_(own_times(clip.timeline)) {
-    times_.resize(std::min(times_.size(), clip.num_frames));
+  explicit NearestFrames(const Clip& clip) : clip_(clip) {
+    const Array<double>& times = own_times(clip.timeline);
+    times_.assign(times.begin(), times.begin() + std::min(times.size(), clip.num_frames));
     for (std::size_t f = 0; f < times_.size(); ++f) frames_.push_back(f);
     for (double& time : times_) time = std::isnan(time) ? 0 : time;  // NaN has no order
     if (std::is_sorted(times_.begin(), times_.end())) return;

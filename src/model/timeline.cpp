@@ -64,8 +64,8 @@ double without_rounding(double frame) {
 
 }  // namespace
 
-const std::vector<double>& own_times(const Timeline& timeline) {
-  static const std::vector<double> kNone;
+const Array<double>& own_times(const Timeline& timeline) {
+  static const Array<double> kNone;
   const FrameTimes* own = std::get_if<FrameTimes>(&timeline.given);
   return own == nullptr ? kNone : own->seconds;
 }
@@ -147,7 +147,7 @@ double time_of_frame(const Timeline& timeline, std::size_t frame) {
   if (const FrameRate* rate = std::get_if<FrameRate>(&timeline.given)) {
     return number / rate->per_second;
   }
-  const std::vector<double>& times = own_times(timeline);
+  const Array<double>& times = own_times(timeline);
   if (frame < times.size()) return times[frame];
   if (times.empty()) return 0;
   return times.back() + static_cast<double>(frame + 1 - times.size()) * median_step(times);
@@ -165,7 +165,7 @@ FramePosition position_in_time(std::span<const double> times, double seconds) {
 
 double frame_at_time(const Timeline& timeline, double seconds) {
   if (!has_own_times(timeline)) return without_rounding(seconds * nominal_frame_rate(timeline));
-  const std::vector<double>& times = own_times(timeline);
+  const Array<double>& times = own_times(timeline);
   if (times.empty()) return 0;
   const double last = static_cast<double>(times.size() - 1);
   const bool is_before = seconds < times.front();

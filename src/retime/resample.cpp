@@ -41,20 +41,20 @@ Result<TimeMap> map_by_ratio(std::size_t num_old_frames, double numerator, doubl
   return map;
 }
 
-bool do_rise(const std::vector<double>& times) {
+bool do_rise(std::span<const double> times) {
   const auto is_bad = [](double time) { return !std::isfinite(time); };
   return std::none_of(times.begin(), times.end(), is_bad) &&
          std::is_sorted(times.begin(), times.end());
 }
 
 /// The old frame at a time, including a fraction; clamped to the first and the last.
-double frame_within(const std::vector<double>& times, double seconds) {
+double frame_within(std::span<const double> times, double seconds) {
   const FramePosition position = position_in_time(times, seconds);
   return on_whole_frame(static_cast<double>(position.frame) + position.share);
 }
 
 /// The map whose new frame n is n / rate seconds after `start`, the end included.
-Result<TimeMap> map_by_times(const std::vector<double>& times, double start, double rate) {
+Result<TimeMap> map_by_times(std::span<const double> times, double start, double rate) {
   TimeMap map;
   if (times.empty()) return map;
   if (!do_rise(times)) return refuse_rate("expected frames whose times rise, found others");
@@ -82,7 +82,7 @@ Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
   if (!is_irregular(clip) && !is_positive(old_rate)) {
     return refuse_rate(fmt::format("expected a motion with a frame rate, found {}", old_rate));
   }
-  const std::vector<double>& times = own_times(clip.timeline);
+  const Array<double>& times = own_times(clip.timeline);
   auto map = is_irregular(clip) ? map_by_times(times, times.front(), frame_rate)
                                 : map_by_ratio(clip.num_frames, old_rate, frame_rate);
   if (map) map->timeline = Timeline{FrameRate{frame_rate}, clip.timeline.first_frame_number};
@@ -98,7 +98,7 @@ Result<TimeMap> speed_map(const Clip& clip, double speed) {
   if (!is_positive(rate / speed)) {
     return refuse_rate(fmt::format("expected a motion with a frame rate, found {}", rate));
   }
-  const std::vector<double>& times = own_times(clip.timeline);
+  const Array<double>& times = own_times(clip.timeline);
   auto map = map_by_times(times, times.front(), rate / speed);
   if (map) map->timeline = Timeline{FrameRate{rate}, clip.timeline.first_frame_number};
   return map;
@@ -113,11 +113,11 @@ Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start) {
   }
   // If a frame matches a time, it shows exactly that time's frame, in spite of rounding in the
   // time.
-  std::vector<double> times = own_times(clip.timeline);
+  Array<double> times = own_times(clip.timeline);
   const bool is_whole = frame_rate == std::round(frame_rate);
   const auto held = [frame_rate](double time) { return frame_that_holds(time, frame_rate); };
   const bool holds_all = is_whole && held(start) && std::all_of(times.begin(), times.end(), held);
-  for (double& time : times) time = holds_all ? *held(time) : time;
+  for (double& time : times.mutate()) time = holds_all ? *held(time) : time;
   auto map =
       holds_all ? map_by_times(times, *held(start), 1) : map_by_times(times, start, frame_rate);
   if (map) map->timeline = Timeline{FrameRate{frame_rate}, clip.timeline.first_frame_number};

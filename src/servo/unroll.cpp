@@ -194,7 +194,7 @@ Result<JointTrajectory> trajectory_of_rows(const RecordedRows& rows, const Servo
   const auto value = [&](std::size_t frame, const MappedAngle& angle) {
     return angle.angle.angle_of(rows.values[frame * rows.row_size + angle.angle.column]);
   };
-  const std::vector<double>& times = own_times(rows.timeline);
+  const Array<double>& times = own_times(rows.timeline);
   if (times.empty()) {
     trajectory.num_frames = rows.num_frames;
     trajectory.frame_time = 1 / nominal_frame_rate(rows.timeline);

@@ -56,7 +56,7 @@ TEST(Appended, GoesOnWithTheTimesOfFrames) {
   first.clip.timeline.given = FrameTimes{{1, 1.25}};
   const auto both = edit::append(first, second, 0);
   ASSERT_TRUE(both);
-  const std::vector<double>& times = own_times(both->clip.timeline);
+  const Array<double>& times = own_times(both->clip.timeline);
   ASSERT_EQ(times.size(), 4u);
   EXPECT_EQ(times[1], 1.25);
   EXPECT_DOUBLE_EQ(times[2], 1.5);  // the median step of the first

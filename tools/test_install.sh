@@ -74,7 +74,7 @@ objdump -p "$library" | grep -q 'SONAME *libkinefile\.so\.[0-9]*\.[0-9]*$' ||
   fail "$library has no soname with a version"
 objdump -p "$root/build/install/shared/bin/kinefile" | grep -q 'NEEDED *libkinefile\.so' ||
   fail "the command does not use the shared library"
-# Internals are hidden: what a format's reader is made of, for one.
-! nm -DC --defined-only "$library" | grep -q 'kinefile::bvh::' ||
-  fail "$library exports its internals: $(nm -DC --defined-only "$library" | grep -m 3 'kinefile::bvh::')"
+# Internals are hidden: the text layer, for one.
+! nm -DC --defined-only "$library" | grep -q 'kinefile::text::' ||
+  fail "$library exports its internals: $(nm -DC --defined-only "$library" | grep -m 3 'kinefile::text::')"
 echo "Sizes with all flags: $sizes"

@@ -7,6 +7,7 @@
 #include "options.hpp"
 #include "report.hpp"
 #include "skeleton_source.hpp"
+#include "writing.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -42,31 +43,36 @@ FkOptions options_of(const Fk& fk) {
   return options;
 }
 
-int write_table(const Fk& fk, const Globals& globals, const FkTable& table, bool is_json) {
+int write_file(const Fk& fk, const Globals& globals, const FkTable& table, const Format& format) {
   auto file = OutputFile::create(fk.out, fk.may_replace);
   if (!file) {
     print_error(file.error(), globals);
     return exit_code_of(file.error());
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  if (is_json) {
-    write_json(table, sink);
-  } else {
-    write_csv(table, sink);
-  }
+  write_table(table, format, sink);
   const auto committed = file->commit();
   if (committed) return kDone;
   print_error(committed.error(), globals);
   return exit_code_of(committed.error());
 }
 
-/// Whether to write JSON instead of CSV; empty for another format.
-std::optional<bool> is_json_wanted(const Fk& fk) {
-  if (!fk.to.empty()) return fk.to == "json";
-  if (fk.out == "-") return false;
-  const Format* format = format_of_name(fk.out);
-  if (format == nullptr || (format->name != "csv" && format->name != "json")) return std::nullopt;
-  return format->name == "json";
+bool takes_poses(const Format& format) { return format.write_poses != nullptr; }
+
+/// The format of the output; null if poses are not written in it.
+const Format* output_format(const Fk& fk) {
+  if (!fk.to.empty()) return find_format(fk.to);
+  const Format* format = fk.out == "-" ? first_format(takes_poses) : format_of_name(fk.out);
+  return format != nullptr && takes_poses(*format) ? format : nullptr;
+}
+
+/// The names of the formats that poses are written in.
+std::vector<std::string> pose_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats()) {
+    if (takes_poses(format)) names.emplace_back(format.name);
+  }
+  return names;
 }
 
 /// Reports the error that stopped a command, unless it is among the diagnostics that were printed.
@@ -99,8 +105,8 @@ int compare(const Fk& fk, const Document& document, const Globals& globals) {
 }
 
 int run(const Fk& fk, const Globals& globals) {
-  const auto is_json = is_json_wanted(fk);
-  if (!is_json) {
+  const Format* format = output_format(fk);
+  if (format == nullptr) {
     return usage_error(globals, fmt::format("'{}' shows no format that poses are written in; "
                                             "name it .csv or .json, or say --to",
                                             fk.out));
@@ -118,7 +124,7 @@ int run(const Fk& fk, const Globals& globals) {
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   const auto table = kinefile::fk(std::move(*placed), options_of(fk));
-  if (table) return write_table(fk, globals, *table, *is_json);
+  if (table) return write_file(fk, globals, *table, *format);
   print_error(table.error(), globals);
   return exit_code_of(table.error());
 }
@@ -133,7 +139,7 @@ void add_fk(CLI::App& app, Globals& globals) {
   command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
       ->type_name("OUT");
   command->add_option("--to", fk->to, "Format of the output")
-      ->check(CLI::IsMember({"csv", "json"}))
+      ->check(CLI::IsMember(pose_formats()))
       ->type_name("FORMAT");
   CLI::Option* rest = command->add_flag("--rest", fk->is_rest, "The rest pose, as frame 0");
   command

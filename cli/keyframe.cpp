@@ -59,9 +59,14 @@ Json json_of_keyframes(const Keyframe& keyframe, const servo::Keyframes& made,
           {"joints", joints}};
 }
 
+bool is_for_flows_alone(const Format& format) {
+  const Kinds& writes = format.conventions.writes;
+  return writes.flows && !writes.motions && !writes.skeletons && !writes.body_motions;
+}
+
 int run(const Keyframe& keyframe, const Globals& globals) {
   const Format* format = output_format(keyframe.writing);
-  if (format == nullptr && keyframe.writing.to.empty()) format = find_format("robovie");
+  if (format == nullptr && keyframe.writing.to.empty()) format = first_format(is_for_flows_alone);
   if (format == nullptr) return no_output_format(keyframe.writing, globals);
   if (keyframe.is_json && keyframe.writing.out == "-") {
     return usage_error(globals, "--json and -o - would both go to standard output");

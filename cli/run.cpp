@@ -95,10 +95,13 @@ Diagnostics named(const Diagnostics& noticed, const Run& run) {
   return diagnostics;
 }
 
+/// Whether a format is a table with a column a value.
+bool is_table(const Format& format) { return format.conventions.has_columns_of_components; }
+
 /// The format of the output: CSV on standard output, otherwise by the file's name.
 const Format* format_of(const Run& run) {
   const bool is_plain = run.writing.out == "-" && run.writing.to.empty();
-  return is_plain ? find_format("csv") : output_format(run.writing);
+  return is_plain ? first_format(is_table) : output_format(run.writing);
 }
 
 /// Why the options do not fit together; empty if they do.
@@ -129,7 +132,7 @@ std::string misuse(const Run& run) {
     return fmt::format("{} needs --skeleton, the robot or figure whose joints the servos turn",
                        format->name);
   }
-  if (format->name != "csv" && run.servo_map.empty()) {
+  if (!is_table(*format) && run.servo_map.empty()) {
     return fmt::format(
         "{} needs --servo-map, which says what words mean to joints; without it a "
         "run is written as CSV",

@@ -63,6 +63,12 @@ void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading)
   for (const TableFlag& flag : flags) add_flag(command, flag);
 }
 
+const Format* first_format(bool (*is_wanted)(const Format&)) {
+  const auto all = formats();
+  const auto found = std::find_if(all.begin(), all.end(), is_wanted);
+  return found == all.end() ? nullptr : &*found;
+}
+
 const Format* output_format(const Writing& writing) {
   return writing.to.empty() ? format_of_name(writing.out) : find_format(writing.to);
 }

@@ -30,6 +30,9 @@ void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading)
 /// The format that the options ask for, or null.
 const Format* output_format(const Writing& writing);
 
+/// The first of all formats that is as wanted, or null.
+const Format* first_format(bool (*is_wanted)(const Format&));
+
 /// Reports that the format of the output is unknown.
 /// \returns kUsage
 int no_output_format(const Writing& writing, const Globals& globals);

@@ -18,6 +18,8 @@
 namespace kinefile {
 
 struct RobotProject;
+struct PoseTable;
+struct PoseArrays;
 
 /// Which frame of a steady rate a frame with its own time becomes (.seq with hasFrameTime).
 enum class TimedRounding {
@@ -135,6 +137,12 @@ struct Format {
   /// which a document has content, one after the other; null for all other formats.
   Result<void> (*write_set)(const Document&, const WriteOptions&, const OpenPart&,
                             Diagnostics&) = nullptr;
+
+  /// Writes the poses of some frames as a table (see `PoseTable`); null if the format has no form
+  /// for one. Returns false if the sink returned false.
+  /// \param is_first  whether they are the first ones, which a header precedes
+  bool (*write_poses)(const PoseTable&, const PoseArrays&, bool is_first, const Sink&) = nullptr;
+  bool poses_in_blocks = false;  ///< whether `write_poses` accepts a few frames at a time
 
   bool takes_skeleton = false;  ///< whether reading uses `ReadOptions::skeleton`
 

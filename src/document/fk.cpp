@@ -92,23 +92,20 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
   return poses;
 }
 
-bool write_csv(const FkTable& table, const Sink& sink) {
+bool write_table(const FkTable& table, const Format& format, const Sink& sink) {
   const PoseTable view = table.view();
   const FrameRange& all = table.frames;
   const std::size_t num_frames = all.num_frames();
-  const std::size_t block = frames_per_block(*view.skeleton);
-  bool is_good = write_pose_csv_header(view, sink);
+  const std::size_t block = format.poses_in_blocks ? frames_per_block(*view.skeleton) : num_frames;
+  if (num_frames == 0) return format.write_poses(view, poses_of(table, all), true, sink);
+  bool is_good = true;
   for (std::size_t done = 0; is_good && done < num_frames; done += block) {
     FrameRange part = all;
     part.begin = all.begin + done * all.step;
     part.end = part.begin + (std::min(block, num_frames - done) - 1) * all.step + 1;
-    is_good = write_pose_csv(view, poses_of(table, part), sink);
+    is_good = format.write_poses(view, poses_of(table, part), done == 0, sink);
   }
   return is_good;
-}
-
-bool write_json(const FkTable& table, const Sink& sink) {
-  return write_pose_json(table.view(), poses_of(table, table.frames), sink);
 }
 
 Result<std::vector<robot::LinkDeviation>> compare_links(const Document& document,

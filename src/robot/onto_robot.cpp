@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "base/words.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/robot.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "kinematics/rotation_batches.hpp"
 #include "model/joint_names.hpp"
 #include "robot/robot.hpp"
 
@@ -30,8 +33,17 @@ struct Follower {
   Quat path_rest = Quat::Identity();  ///< the rotation of the path with angles 0 for turning links,
                                       ///< rest values for others
   std::vector<Vec3> axes;             ///< of the turning links, in the last one's frame at rest
-  double largest_residual = 0;        ///< in radians
+  Quat joint_from_link = Quat::Identity();  ///< the link relative to its joint, both at rest
+  std::optional<RotationFitter> fitter = std::nullopt;  ///< finds the angles of the turning links
+  double largest_residual = 0;                          ///< in radians
   std::size_t largest_frame = 0;
+};
+
+/// Some frames of the figure, and the world rotations of the robot's links in them.
+struct Block {
+  FrameBatch frames;
+  WorldPoses figure;
+  std::vector<std::vector<Quat>> links;  ///< [link][frame of the block]
 };
 
 /// The figure's joint that each link follows; `kNoParent` for none.
@@ -63,7 +75,9 @@ bool is_across(const Vec3& a, const Vec3& b) { return std::abs(a.dot(b)) < 1e-6;
 /// \param leaders  of the robot's columns
 Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot,
                      const std::vector<std::size_t>& leaders, std::vector<bool>& is_settled) {
-  Follower follower{link, source, 0, {}, {}, Quat::Identity(), {}, 0, 0};
+  Follower follower;
+  follower.link = link;
+  follower.source = source;
   std::size_t at = link;
   for (; at != 0 && !is_settled[at]; at = robot.joints[at].parent) follower.path.push_back(at);
   follower.base = at;
@@ -98,30 +112,81 @@ Follower follower_of(std::size_t link, std::size_t source, const Skeleton& robot
   return follower;
 }
 
-/// The angles of the turning links for a rotation, nearest to given angles.
-std::vector<double> angles_of(const Follower& follower, const Quat& turn,
-                              const std::vector<double>& near) {
-  const auto& axes = follower.axes;
-  if (axes.empty()) return {};
-  if (axes.size() == 1) return {angle_about(turn, axes[0], near[0])};
-  const bool has_three = axes.size() == 3;
-  // Two links: as with a third axis perpendicular to both, whose rotation is the residual.
-  const EulerAxes euler = {axes[0], axes[1], has_three ? axes[2] : Vec3(axes[0].cross(axes[1]))};
-  const Vec3 angles =
-      euler_angles(turn.toRotationMatrix(), euler, Vec3(near[0], near[1], has_three ? near[2] : 0));
-  std::vector<double> found(angles.data(), angles.data() + axes.size());
-  return found;
+/// What finds the angles of a follower's turning links, each near the frame before; nothing where
+/// no link turns.
+/// \param rest  the robot's row at rest, which the first angles are near
+std::optional<RotationFitter> fitter_of(const Follower& follower, const Skeleton& robot,
+                                        std::span<const double> rest) {
+  if (follower.turning.empty()) return std::nullopt;
+  std::vector<DegreeOfFreedom> rotations;
+  for (std::size_t k = 0; k < follower.turning.size(); ++k) {
+    rotations.push_back(robot.joints[follower.turning[k]].dofs[0]);
+    rotations.back().axis = follower.axes[k];
+  }
+  return RotationFitter(std::move(rotations), robot.angle_unit, rest);
 }
 
-/// Computes the world rotations of the links of a path from their angles in a row.
-void turn_path(const Follower& follower, const Skeleton& robot, std::span<const double> row,
-               std::vector<Quat>& world) {
+Quat rotation_at(const PoseArrays& poses, std::size_t row, std::size_t joint) {
+  const double* q = poses.rotations.data() + (row * poses.num_joints + joint) * 4;
+  return Quat(q[0], q[1], q[2], q[3]);
+}
+
+/// The world rotation of a link that has the same rotation relative to its rest pose as the
+/// figure's joint.
+Quat aim_of(const Follower& follower, const Block& block, std::size_t frame) {
+  return rotation_at(block.figure, frame, follower.source) * follower.joint_from_link;
+}
+
+/// Moves the root as the figure's joint moves.
+/// \param before  the root's rotation in the frame before; out: in the last frame
+void move_root(const Follower& root, double length_scale, const Rows& rows, Block& block,
+               Quat& before) {
+  for (std::size_t f = 0; f < block.frames.count; ++f) {
+    const std::span<double> row = rows[block.frames.first + f];
+    const double* p =
+        block.figure.positions.data() + (f * block.figure.num_joints + root.source) * 3;
+    for (std::size_t k = 0; k < 3; ++k) row[k] = p[k] * length_scale;
+    before = on_side_of(aim_of(root, block, f), before);
+    block.links[0][f] = before;
+    const double q[] = {before.w(), before.x(), before.y(), before.z()};
+    std::copy_n(q, 4, row.begin() + 3);
+  }
+}
+
+/// Computes the world rotations of the links of a path from their angles.
+void turn_path(const Follower& follower, const Skeleton& robot, const Rows& rows, Block& block) {
   for (const std::size_t j : follower.path) {
     const Joint& joint = robot.joints[j];
-    world[j] = world[joint.parent] * joint.rest_rotation;
-    if (!turns(joint)) continue;
-    const double angle = value_in_row(joint.dofs[0], row);
-    world[j] = world[j] * Quat(Eigen::AngleAxisd(angle, joint.dofs[0].axis));
+    for (std::size_t f = 0; f < block.frames.count; ++f) {
+      Quat& link = block.links[j][f];
+      link = block.links[joint.parent][f] * joint.rest_rotation;
+      if (!turns(joint)) continue;
+      const double angle = value_in_row(joint.dofs[0], rows[block.frames.first + f]);
+      link = link * Quat(Eigen::AngleAxisd(angle, joint.dofs[0].axis));
+    }
+  }
+}
+
+/// Finds the angles of a follower's turning links in all frames of a block.
+void fit_path(Follower& follower, const Rows& rows, const Block& block,
+              simd::Quaternions& rotations) {
+  if (!follower.fitter) return;
+  rotation::resize(rotations, block.frames.count);
+  for (std::size_t f = 0; f < block.frames.count; ++f) {
+    const Quat base = block.links[follower.base][f] * follower.path_rest;
+    rotation::put_quaternion(base.conjugate() * aim_of(follower, block, f), f, rotations);
+  }
+  follower.fitter->fit(rotations, block.frames, rows);
+}
+
+/// Keeps the largest angle between a link and where it should point.
+void measure_residual(Follower& follower, const Block& block) {
+  for (std::size_t f = 0; f < block.frames.count; ++f) {
+    const double residual =
+        angle_between(block.links[follower.link][f], aim_of(follower, block, f));
+    if (residual <= follower.largest_residual) continue;
+    follower.largest_residual = residual;
+    follower.largest_frame = block.frames.first + f;
   }
 }
 
@@ -152,6 +217,28 @@ void report_residuals(const std::vector<Follower>& followers, const Motion& moti
   }
 }
 
+/// The root, then the other links that follow a joint of the figure.
+std::vector<Follower> followers_of(const Skeleton& figure, const Skeleton& robot,
+                                   const RobotNames& names) {
+  const std::vector<std::size_t> sources = sources_of(figure, robot, names);
+  const std::vector<std::size_t> leaders = leaders_of_columns(robot);
+  const Clip rest = rest_clip(robot);
+  const WorldPoses figure_poses =
+      forward_kinematics(figure, rest_clip(figure), {.rotations = true});
+  const WorldPoses robot_poses = forward_kinematics(robot, rest, {.rotations = true});
+  std::vector<Follower> followers;
+  std::vector<bool> is_settled(robot.joints.size(), false);
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    if (sources[j] == kNoParent) continue;
+    Follower& follower =
+        followers.emplace_back(follower_of(j, sources[j], robot, leaders, is_settled));
+    follower.joint_from_link =
+        rotation_at(figure_poses, 0, sources[j]).conjugate() * rotation_at(robot_poses, 0, j);
+    follower.fitter = fitter_of(follower, robot, rest.row(0));
+  }
+  return followers;
+}
+
 }  // namespace
 
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
@@ -161,78 +248,38 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
                            "expected the skeleton of a robot, whose root moves freely and whose "
                            "joints move in one way each"));
   }
-  const std::vector<std::size_t> sources = sources_of(motion.skeleton, robot, names);
-  const std::vector<std::size_t> leaders = leaders_of_columns(robot);
-  std::vector<Follower> followers;
-  std::vector<bool> is_settled(robot.joints.size(), false);
-  for (std::size_t j = 1; j < robot.joints.size(); ++j) {
-    if (sources[j] != kNoParent) {
-      followers.push_back(follower_of(j, sources[j], robot, leaders, is_settled));
-    }
-  }
-  if (followers.empty()) {
+  std::vector<Follower> followers = followers_of(motion.skeleton, robot, names);
+  if (followers.size() < 2) {
     return fail(make_error(ErrorKind::Usage, "BRG016",
                            "expected joints that are called like the robot's links or joints, "
                            "found none; --map FILE says which belong together"));
   }
-  const WorldPoses rest =
-      forward_kinematics(motion.skeleton, rest_clip(motion.skeleton), {.rotations = true});
-  const Clip robot_rest = rest_clip(robot);
-  const WorldPoses robot_poses = forward_kinematics(robot, robot_rest, {.rotations = true});
-  const auto rotation_at = [](const PoseArrays& poses, std::size_t row, std::size_t joint) {
-    const double* q = poses.rotations.data() + (row * poses.num_joints + joint) * 4;
-    return Quat(q[0], q[1], q[2], q[3]);
-  };
   const double scale = motion.skeleton.metres_per_unit > 0 ? motion.skeleton.metres_per_unit : 1.0;
-
-  Motion moved{robot, robot_rest};
-  moved.clip.values.clear();
+  const Clip rest = rest_clip(robot);
+  Motion moved{robot, rest};
   moved.clip.num_frames = motion.clip.num_frames;
   moved.clip.timeline = motion.clip.timeline;
-  std::vector<double> row(robot_rest.values.begin(), robot_rest.values.end());
-  std::vector<Quat> world(robot.joints.size(), Quat::Identity());
-  Quat root_before = Quat::Identity();
-  const std::size_t block = frames_per_block(motion.skeleton);
-  for (std::size_t first = 0; first < motion.clip.num_frames; first += block) {
-    const WorldPoses poses =
-        forward_kinematics(motion.skeleton, motion.clip,
-                           {.first_frame = first, .num_frames = block, .rotations = true});
-    for (std::size_t r = 0; r < poses.num_frames; ++r) {
-      // The world rotation of a link that has the same rotation relative to its rest pose as the
-      // figure's joint.
-      const auto wanted = [&](std::size_t link, std::size_t source) -> Quat {
-        return rotation_at(poses, r, source) * rotation_at(rest, 0, source).conjugate() *
-               rotation_at(robot_poses, 0, link);
-      };
-      const double* p = poses.positions.data() + (r * poses.num_joints + sources[0]) * 3;
-      for (std::size_t k = 0; k < 3; ++k) row[k] = p[k] * scale;
-      world[0] = root_before = on_side_of(wanted(0, sources[0]), root_before);
-      const double q[] = {world[0].w(), world[0].x(), world[0].y(), world[0].z()};
-      std::copy_n(q, 4, row.begin() + 3);
-      for (Follower& follower : followers) {
-        const Quat aim = wanted(follower.link, follower.source);
-        const Quat turn = (world[follower.base] * follower.path_rest).conjugate() * aim;
-        std::vector<double> near;
-        for (const std::size_t j : follower.turning) {
-          near.push_back(value_in_row(robot.joints[j].dofs[0], row));
-        }
-        const std::vector<double> angles = angles_of(follower, turn, near);
-        for (std::size_t k = 0; k < angles.size(); ++k) {
-          const DegreeOfFreedom& dof = robot.joints[follower.turning[k]].dofs[0];
-          row[dof.coordinate] = column_of(dof, angles[k]);
-        }
-        turn_path(follower, robot, row, world);
-      }
-      for (Follower& follower : followers) {
-        turn_path(follower, robot, row, world);  // including joints that follow others
-        const double residual =
-            angle_between(world[follower.link], wanted(follower.link, follower.source));
-        if (residual > follower.largest_residual) {
-          follower.largest_residual = residual;
-          follower.largest_frame = first + r;
-        }
-      }
-      moved.clip.values.append(row);
+  moved.clip.values.clear();
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) moved.clip.values.append(rest.row(0));
+  const Rows rows = moved.clip.mutate();
+  Quat root = Quat::Identity();
+  simd::Quaternions rotations;
+  for (const FrameBatch& frames : batches_of(motion.clip.num_frames)) {
+    Block block{
+        frames,
+        forward_kinematics(
+            motion.skeleton, motion.clip,
+            {.first_frame = frames.first, .num_frames = frames.count, .rotations = true}),
+        std::vector(robot.joints.size(), std::vector<Quat>(frames.count, Quat::Identity()))};
+    move_root(followers.front(), scale, rows, block, root);
+    for (Follower& follower : std::span(followers).subspan(1)) {
+      fit_path(follower, rows, block, rotations);
+      turn_path(follower, robot, rows, block);
+    }
+    // Once more, with the joints that follow others.
+    for (Follower& follower : std::span(followers).subspan(1)) {
+      turn_path(follower, robot, rows, block);
+      measure_residual(follower, block);
     }
   }
   report_residuals(followers, motion, robot, diagnostics);

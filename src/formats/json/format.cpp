@@ -6,6 +6,7 @@
 #include "formats/common_options.hpp"
 #include "formats/json/flow.hpp"
 #include "formats/json/writer.hpp"
+#include "kinefile/pose_table.hpp"
 
 namespace kinefile::json {
 namespace {
@@ -196,6 +197,8 @@ Format format() {
   format.write = write;
   format.conventions.writes = {
       .motions = true, .skeletons = true, .body_motions = true, .flows = true};
+  format.write_poses = [](const PoseTable& table, const PoseArrays& poses, bool /*is_first*/,
+                          const Sink& sink) { return write_pose_json(table, poses, sink); };
   format.write_options = kWriteOptions;
   format.conventions.keeps_times = true;
   return format;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "kinefile/compare.hpp"
 #include "kinefile/robot.hpp"
@@ -280,6 +281,62 @@ TEST(BodyBridge, ARobotInOtherUnitsIsProjectedInMetresAndRadians) {
   ASSERT_TRUE(body);
   EXPECT_EQ(body->components[0].values, (Array<double>{1, 2, 3, 1, 0, 0, 0}));
   EXPECT_EQ(body->components[1].values, (Array<double>{90 * kRadiansPerDegree, 0.5}));
+}
+
+/// A robot with a shoulder whose first and third axes are oblique to each other, 16 degrees off a
+/// right angle, as some robots' are; each is at a right angle to the second.
+Skeleton robot_with_oblique_shoulder() {
+  Skeleton skeleton = robot();
+  skeleton.joints.resize(1);
+  skeleton.coordinates.resize(kRootColumns);
+  const Vec3 axes[] = {Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+  for (std::size_t j = 1; j <= 3; ++j) {
+    Joint& joint = skeleton.joints.emplace_back();
+    joint.name = j == 3 ? "ARM" : "SHOULDER" + std::to_string(j);
+    joint.parent = j - 1;
+    joint.dofs = {{DofKind::Rotation, axes[j - 1], kRootColumns + j - 1, 0}};
+    skeleton.coordinates.push_back({j, "q"});
+  }
+  skeleton.joints[2].rest_rotation = Quat(Eigen::AngleAxisd(0.28, Vec3::UnitX()));
+  return skeleton;
+}
+
+TEST(BodyBridge, ObliqueShouldersFollowExactly) {
+  Motion figure;
+  figure.skeleton.metres_per_unit = 1;
+  figure.skeleton.joints.resize(2);
+  figure.skeleton.joints[0].name = "BASE";
+  figure.skeleton.joints[1].name = "ARM";
+  figure.skeleton.joints[1].parent = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    figure.skeleton.joints[1].dofs.push_back(
+        {DofKind::Rotation, Vec3::Unit(static_cast<Eigen::Index>(k)), k, 0});
+    figure.skeleton.coordinates.push_back({1, channel_name(DofKind::Rotation, k)});
+  }
+  figure.clip.num_coordinates = 3;
+  figure.clip.num_frames = 600;  // more than one block
+  for (int f = 0; f < 600; ++f) {
+    for (const double rate : {0.31, 0.17, 0.23}) {
+      figure.clip.values.push_back(60 * std::sin(rate * f));
+    }
+  }
+  const Skeleton robot = robot_with_oblique_shoulder();
+  Diagnostics diagnostics;
+  const auto body = robot::onto_robot(figure, robot, {}, diagnostics);
+  ASSERT_TRUE(body);
+  EXPECT_EQ(diagnostics.count_of("BRG015", Severity::Warning), 0u) << text_of(diagnostics);
+  const auto motion = robot::pose(*body, robot, false, diagnostics);
+  ASSERT_TRUE(motion);
+  const WorldPoses poses = forward_kinematics(robot, motion->clip, {.rotations = true});
+  const WorldPoses wanted = forward_kinematics(figure.skeleton, figure.clip, {.rotations = true});
+  const auto at = [](const WorldPoses& all, std::size_t index) {
+    const double* q = all.rotations.data() + index * 4;
+    return Quat(q[0], q[1], q[2], q[3]);
+  };
+  for (std::size_t f = 0; f < 600; ++f) {
+    const Quat rest = robot.joints[2].rest_rotation;  // of the arm, too
+    EXPECT_LT((at(wanted, f * 2 + 1) * rest).angularDistance(at(poses, f * 4 + 3)), 1e-6) << f;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "options.hpp"
 #include "report.hpp"
+#include "skeleton_source.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -91,25 +92,12 @@ Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostic
   return parse_joint_map(bytes->view(), path, diagnostics);
 }
 
-/// The skeleton or robot that an option names, read on demand.
-DocumentSource source_of(const std::string& path, const Reading& reading) {
-  if (path.empty()) return {};
-  return [path, &reading](Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
-    Reading of_robot = reading;
-    of_robot.skeleton = path;
-    const bool is_named = path == reading.skeleton;
-    auto loaded = load_skeleton(is_named ? reading : of_robot, diagnostics);
-    if (!loaded) return fail(std::move(loaded.error()));
-    return std::make_shared<const Document>(std::move(**loaded));
-  };
-}
-
 Result<AdaptOptions> adapt_options(const Writing& writing, const Reading& reading,
                                    Diagnostics& diagnostics) {
   AdaptOptions adapting = writing.adapting;
   adapting.channels.lenient = reading.is_lenient;
   adapting.kinds.lenient = reading.is_lenient;
-  adapting.skeleton = source_of(reading.skeleton, reading);
+  adapting.skeleton = source_of_skeleton(reading);
   adapting.skeleton_name = reading.skeleton;
   adapting.robot = source_of(writing.robot, reading);
   if (writing.joint_map.empty()) return adapting;

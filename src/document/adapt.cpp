@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "document/conventions.hpp"
 #include "kinefile/convert.hpp"
+#include "kinefile/operation.hpp"
 #include "kinefile/shape.hpp"
 
 namespace kinefile {
@@ -97,12 +99,7 @@ bool leaves_bones(const Format& format, const Document& document) {
 
 Document without_helper_bones(const Format& format, Document document, Diagnostics& diagnostics) {
   if (!leaves_bones(format, document)) return document;
-  Motion bare = shape::without_helper_bones(still_or_moving(document), diagnostics);
-  if (std::holds_alternative<Motion>(document.content)) {
-    document.content = std::move(bare);
-  } else {
-    document.content = std::move(bare.skeleton);
-  }
+  put_motion(shape::without_helper_bones(still_or_moving(document), diagnostics), document);
   return document;
 }
 
@@ -119,17 +116,12 @@ Result<Document> adapted_to(const Format& format, Document document,
   }
   if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
   document = without_helper_bones(format, std::move(document), diagnostics);
-  const bool has_motion = std::holds_alternative<Motion>(document.content);
-  const Motion motion = still_or_moving(document);
-  auto adapted = is_for_bones ? for_bones(motion, channels, diagnostics)
-                 : is_for_bvh ? for_bvh(with_ends(motion), channels, diagnostics)
-                              : shape::with_channels(motion, channels, diagnostics);
+  auto adapted = change_motion(document, [&](const Motion& motion) {
+    if (is_for_bones) return for_bones(motion, channels, diagnostics);
+    if (is_for_bvh) return for_bvh(with_ends(motion), channels, diagnostics);
+    return shape::with_channels(motion, channels, diagnostics);
+  });
   if (!adapted) return fail(std::move(adapted.error()));
-  if (has_motion) {
-    document.content = std::move(*adapted);
-  } else {
-    document.content = std::move(adapted->skeleton);
-  }
   return document;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "document/conventions.hpp"
 #include "kinefile/process.hpp"
 #include "text/option_words.hpp"
 
@@ -15,12 +16,7 @@ bool writes_skeletons(const Format& format) {
   return format.conventions.writes.motions || format.conventions.writes.skeletons;
 }
 
-/// Whether the format writes a motion as a body motion or as its columns.
-bool writes_components(const Format& format) {
-  const Conventions& conventions = format.conventions;
-  return conventions.has_columns_of_components ||
-         (conventions.writes.body_motions && !conventions.writes.motions);
-}
+bool writes_components(const Format& format) { return takes_components(format.conventions); }
 
 bool writes_space(const Format& format) {
   return writes_skeletons(format) || format.conventions.writes.body_motions;

@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "base/words.hpp"
+#include "document/conventions.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/operation.hpp"
 #include "kinefile/retime.hpp"
 
 namespace kinefile {
@@ -214,11 +216,6 @@ Result<BodyMotion> set_of(const Document& document, const KindOptions& options,
   return zmp == nullptr ? made : robot::zmp(*made, true, diagnostics);
 }
 
-/// Whether a format accepts body motions, and no motions or skeletons.
-bool takes_bodies_alone(const Conventions& conventions) {
-  return conventions.writes.body_motions && !conventions.writes.motions;
-}
-
 bool takes_flows_alone(const Conventions& conventions) {
   const Kinds& writes = conventions.writes;
   return writes.flows && !writes.motions && !writes.skeletons && !writes.body_motions;
@@ -239,15 +236,10 @@ Result<Document> with_up_axis(Document document, std::optional<std::size_t> usua
                               const KindOptions& options, Diagnostics& diagnostics) {
   const std::optional<std::size_t> up = options.up ? options.up : usual;
   if (!up || options.keeps_up) return document;
-  Motion* const moving = std::get_if<Motion>(&document.content);
-  Motion motion = moving != nullptr ? std::move(*moving) : still_or_moving(document);
-  auto turned = turned_up(std::move(motion), *up, options, diagnostics);
+  auto turned = change_motion(document, [&](Motion motion) {
+    return turned_up(std::move(motion), *up, options, diagnostics);
+  });
   if (!turned) return fail(std::move(turned.error()));
-  if (moving != nullptr) {
-    document.content = std::move(*turned);
-  } else {
-    document.content = std::move(turned->skeleton);
-  }
   return document;
 }
 
@@ -285,7 +277,7 @@ Result<Document> body_for(const Conventions& conventions, Document document,
   if (stays && options.up == std::size_t{1}) {
     return fail(ErrorKind::Usage, "CNV007", kZIsUp);
   }
-  if (options.form && (takes_bodies_alone(conventions) || conventions.has_columns_of_components)) {
+  if (options.form && takes_components(conventions)) {
     auto formed = in_form(body, options, diagnostics);
     if (!formed) return fail(std::move(formed.error()));
     body = std::move(*formed);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "document/conventions.hpp"
 #include "document/operation_tables.hpp"
 #include "kinefile/operation.hpp"
 #include "kinefile/robot.hpp"
@@ -218,11 +219,7 @@ Result<void> change_motion(Document& document,
   Result<Motion> changed =
       change(motion != nullptr ? std::move(*motion) : still_or_moving(document));
   if (!changed) return fail(std::move(changed.error()));
-  if (motion != nullptr) {
-    *motion = std::move(*changed);
-  } else {
-    document.content = std::move(changed->skeleton);
-  }
+  put_motion(std::move(*changed), document);
   return {};
 }
 

@@ -27,7 +27,7 @@ int run(Align& align, const Globals& globals) {
   diagnostics.warnings_are_errors = reading.is_strict;
   retime::AlignOptions options;
   if (align.by == "points") options.by = retime::AlignOptions::By::Points;
-  auto map = retime::align_map(*document, *reference, options);
+  auto map = retime::align_map(*document, *reference, options, diagnostics);
   // Without an output file the map is printed.
   const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
   align.retiming.prints_table |= !has_output;

@@ -68,6 +68,34 @@ std::string box_text(const Box& box) {
                      box.max.x(), box.min.y(), box.max.y(), box.min.z(), box.max.z());
 }
 
+/// A certainty and a reason, for people.
+std::string because(Certainty certainty, const std::string& reason) {
+  if (certainty == Certainty::Known) return "";
+  return fmt::format("; a {}guess: {}", certainty == Certainty::Doubtful ? "doubtful " : "",
+                     reason);
+}
+
+/// A direction as a coordinate axis if it is within a degree of one: "+z".
+std::string direction_text(const Vec3& direction) {
+  constexpr double kCosineOfOneDegree = 0.99985;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (std::abs(direction[k]) < kCosineOfOneDegree) continue;
+    return fmt::format("{}{}", direction[k] < 0 ? '-' : '+', "xyz"[k]);
+  }
+  return fmt::format("({:.2f}, {:.2f}, {:.2f})", direction.x(), direction.y(), direction.z());
+}
+
+std::string facing_text(const Facing& facing) {
+  if (!facing.direction) return fmt::format("not known: {}", facing.reason);
+  return fmt::format("{}; a guess: {}", direction_text(*facing.direction), facing.reason);
+}
+
+std::string unit_text(const LengthUnit& unit) {
+  if (unit.certainty == Certainty::Known) return fmt::format("length unit {} m", unit.metres);
+  return fmt::format("length unit not in the file, {} m is likely{}", unit.metres,
+                     because(unit.certainty, unit.reason));
+}
+
 /// A description of a component of a body motion.
 std::string component_text(const ComponentInfo& info) {
   if (info.kind == ComponentKind::Other) {
@@ -114,11 +142,13 @@ std::string text_of(const std::string& path, const Document& document) {
                              time.has_own_times ? ", frames at times of their own" : ""));
     line("duration", fmt::format("{} s", time.duration));
   }
+  const EvidenceInfo& evidence = *told.evidence;
   line("units",
-       fmt::format("{}, length unit {}",
-                   skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians",
-                   skeleton.metres_per_unit > 0 ? fmt::format("{} m", skeleton.metres_per_unit)
-                                                : "not in the file"));
+       fmt::format("{}, {}", skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians",
+                   unit_text(evidence.unit)));
+  line("up", fmt::format("{}{}", "xyz"[evidence.up.axis],
+                         because(evidence.up.certainty, evidence.up.reason)));
+  line("facing", facing_text(evidence.facing));
   line("rest extent", box_text(skeleton.rest_extent));
   if (told.motion) line("extent", box_text(told.motion->extent));
   return text;
@@ -133,6 +163,26 @@ Json box_json(const Box& box) {
   if (box.min.x() > box.max.x()) return nullptr;
   return {{"min", {box.min.x(), box.min.y(), box.min.z()}},
           {"max", {box.max.x(), box.max.y(), box.max.z()}}};
+}
+
+const char* name_of(Certainty certainty) {
+  constexpr const char* kNames[] = {"known", "clear", "doubtful"};
+  return kNames[static_cast<std::size_t>(certainty)];
+}
+
+/// Adds what is known or guessed of the axes and the unit, each with its reason.
+void add_evidence(Json& json, const EvidenceInfo& info) {
+  json["up"] = {{"axis", std::string(1, "xyz"[info.up.axis])},
+                {"certainty", name_of(info.up.certainty)},
+                {"reason", info.up.reason}};
+  Json direction;
+  if (const auto& facing = info.facing.direction) {
+    direction = {number(facing->x()), number(facing->y()), number(facing->z())};
+  }
+  json["facing"] = {{"direction", direction}, {"reason", info.facing.reason}};
+  json["length_unit"] = {{"metres", number(info.unit.metres)},
+                         {"certainty", name_of(info.unit.certainty)},
+                         {"reason", info.unit.reason}};
 }
 
 std::string type_of(const ComponentInfo& info) {
@@ -202,6 +252,7 @@ Json json_of_document(const std::string& path, const Document& document) {
   if (told.motion) add_motion(json, *told.motion);
   json["angle_unit"] = skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians";
   json["metres_per_unit"] = skeleton.metres_per_unit > 0 ? Json(skeleton.metres_per_unit) : Json();
+  add_evidence(json, *told.evidence);
   json["rest_extent"] = box_json(skeleton.rest_extent);
   json["joints"] = joints_json(skeleton_of(document));
   return json;

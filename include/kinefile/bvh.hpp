@@ -10,12 +10,23 @@ namespace kinefile::bvh {
 enum class PositionMode {
   Replace,  ///< the value replaces the component (Blender, bvhio)
   Add,      ///< the value is added to it (three.js, PyMO)
-  Auto,     ///< decided from the first frames, with a note
+  Auto,     ///< decided by the bones and the lowest point of the figure, with a note
+};
+
+/// The meaning of the position channels of the roots and of all other joints.
+struct Positions {
+  PositionMode root = PositionMode::Replace;
+  PositionMode others = PositionMode::Replace;
+
+  Positions() = default;
+  Positions(PositionMode mode) : root(mode), others(mode) {}  // NOLINT(*-explicit-*): one for all
+  Positions(PositionMode root_mode, PositionMode others_mode)
+      : root(root_mode), others(others_mode) {}
 };
 
 /// How to read a BVH file, in addition to `kinefile::ReadOptions`.
 struct ReadOptions {
-  PositionMode positions = PositionMode::Replace;
+  Positions positions = {};
 };
 
 }  // namespace kinefile::bvh

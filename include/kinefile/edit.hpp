@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,57 +27,62 @@ Result<Motion> trim(const Motion& motion, std::size_t begin, std::size_t end);
 Motion reverse(Motion motion);
 
 /// The mirrored motion: the right side does what the left side did, and vice versa. The skeleton
-/// stays the same, even if its halves differ. Joints are paired by name (Left/Right and 左/右
-/// anywhere, l/r and L/R as words or as the first or last letter of a word, if such a joint exists
-/// at the same depth). Other joints are paired by the rest pose, with tolerances relative to the
-/// skeleton's size: a joint within 1/1000 of the plane through its root is its own image; a joint
-/// whose image lies within 1/100 of another joint is paired with it; a remaining joint within 1/100
-/// of the plane is its own image.
+/// stays the same, even if its halves differ. The plane of the mirror stands in the world and
+/// contains the origin; the pairing belongs to the skeleton. Joints are paired by name (Left/Right
+/// and 左/右 anywhere, l/r and L/R as words or as the first or last letter of a word, if such a
+/// joint exists at the same depth). Other joints are paired by the places of joints and tips in the
+/// rest pose, with tolerances relative to the skeleton's size: a joint within 1/1000 of the plane
+/// through its root is its own image; a joint whose image lies within 1/100 of another joint is
+/// paired with it; a remaining joint within 1/100 of the plane is its own image. If the rest pose
+/// is not symmetric, the most symmetric of 64 frames takes its place, if one is (EDT012). A joint
+/// on the trunk that has nobody on the other side is its own image if other joints are paired.
 /// Values of axes that are each other's mirror images are copied bit for bit, with a change of sign
 /// where needed. Other angles are recomputed, each nearest to the previous frame.
-/// \param axis  0 x, 1 y, 2 z: the normal of the mirror plane, which contains the origin; see
-///              `guess_mirror_axis`
-/// \errors EDT004 (Usage) if a moving joint has no partner, or its partner cannot move as it does;
-///         with `lenient` these joints are mirrored as far as possible, with a warning
-Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
+/// \param axis  0 x, 1 y, 2 z: the normal of the mirror in the world; absent: the horizontal axis
+///              along which the halves lie
+/// \errors EDT004 (Usage) if the axis points up, a moving joint has no partner, its partner cannot
+///         move as it does, or the halves lie on the two sides of no plane; with `lenient` all but
+///         the first are mirrored as far as possible, with a warning
+Result<Motion> mirror(const Motion& motion, std::optional<std::size_t> axis, bool lenient,
                       Diagnostics& diagnostics);
-
-/// The axis along which joints that are paired by name are furthest apart in the rest pose: 0 x, 1
-/// y, 2 z; x if no joints are paired.
-std::size_t guess_mirror_axis(const Skeleton& skeleton);
 
 /// All lengths times a factor: offsets, tips, positions. The factor is above 0.
 Motion scale(Motion motion, double factor);
 
-/// The same motion in coordinates in which another axis points up: rotated about x by 90 degrees.
+/// The same motion in coordinates in which another axis points up: rotated by 90 degrees.
 /// The skeleton's offsets and axes are rotated too, so that values stay the same bit for bit. Only
 /// where an axis would point along -x, -y or -z, the axis is reversed and its column changes sign.
 /// A change to z and back to y restores the same skeleton and the same bits. If that axis points up
-/// already (see `guess_up_axis`), nothing changes and a note (EDT009) reports it.
+/// already (see `find_up_axis`), nothing changes and a note (EDT009) reports it. From then on the
+/// axis is known (`Skeleton::up`).
 /// \param axis  1 for y, 2 for z
 Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
 
-/// The motion in place: every root stays above its start position on the ground. Columns along the
-/// axis that points up (see `guess_up_axis`) keep every bit.
-Motion in_place(Motion motion);
+/// The motion in place: the joints that carry it (see `find_travellers`) stay above their start
+/// positions on the ground. Columns along the axis that points up (see `settle_up_axis`) keep every
+/// bit.
+Motion in_place(Motion motion, Diagnostics& diagnostics);
 
 /// The motion repeated `count` times. Frames' own times continue after their median step (see
 /// `median_step`). Without blending every bit is kept, and the figure jumps back to its start; with
 /// blending see `append`.
 /// \errors EDT005 (Usage) as for `append`, if `count` is 0, or if the result would be too large
-Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
+                    Diagnostics& diagnostics);
 
 /// One motion followed by another. Without blending every bit is kept. With blending, the second
-/// motion is translated and rotated on the ground so that in the middle of the overlap its root
-/// coincides with the root of the first. The last frames of the first are blended (3u^2 - 2u^3)
-/// into the first frames of the second. The second is rotated only if all roots turn about three
-/// axes or move freely. The skeletons must have the same names, parents, degrees of freedom and
-/// columns, and offsets within 1e-6 of the skeleton's size; rest values may differ. Frame rates
-/// must agree within 1e-6, unless frames have their own times: these continue after the median step
-/// of the first.
-/// \errors EDT005 (Usage) if the skeletons or frame rates differ, one has fewer frames than are to
+/// motion is translated and rotated on the ground so that in the middle of the overlap the joint
+/// that carries it (see `find_travellers`) coincides with that of the first; the ground is level
+/// with the axis that points up (see `settle_up_axis`). The last frames of the first are blended
+/// (3u^2 - 2u^3) into the first frames of the second. The second is rotated only if all such joints
+/// turn about three axes or move freely. The skeletons must have the same names, parents, degrees
+/// of freedom and columns, and offsets within 1e-6 of the skeleton's size; rest values may differ.
+/// Frame rates must agree within 1e-6, unless frames have their own times: these continue after the
+/// median step of the first. \errors EDT005 (Usage) if the skeletons or frame rates differ, one has
+/// fewer frames than are to
 ///         be blended, or the result would have more than 2^30 values
-Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames);
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
+                      Diagnostics& diagnostics);
 
 /// The motion of some joints and all their ancestors, which keep their positions in the world. A
 /// joint that loses all children and has no tip gets tips where they were; a child that was

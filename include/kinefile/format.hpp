@@ -56,6 +56,8 @@ struct ReadOptions {
   /// Metres per unit of length, where the format does not define the unit: BVH's unit; for ASF the
   /// unit of lengths after division by the file's own factor.
   std::optional<double> metres_per_unit = std::nullopt;
+  /// The axis that points up, 0 x, 1 y, 2 z, where the format does not define it.
+  std::optional<std::size_t> up = std::nullopt;
   TimedRounding timed_rounding = TimedRounding::Ceil;
   bool keeps_times = false;  ///< frames keep their own times
   /// For motions that need one; if null, `read_file` reads it from `skeleton_name`.

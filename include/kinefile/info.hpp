@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/format.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/robot_project.hpp"
@@ -53,6 +54,13 @@ struct TimeInfo {
 struct MotionInfo {
   TimeInfo time;
   Box extent;  ///< over all frames, in the skeleton's unit of length
+};
+
+/// What the file does not say and the skeleton and its motion show; or what is known.
+struct EvidenceInfo {
+  UpAxis up;
+  Facing facing;    ///< in frame 0; in the rest pose if there are no frames
+  LengthUnit unit;  ///< of length
 };
 
 /// Properties of a component of a body motion.
@@ -110,6 +118,7 @@ struct Info {
   std::string_view kind;    ///< see `kind_name`
   std::vector<Fact> facts;  ///< facts about the file that it was read from (see `facts_of`)
   std::optional<SkeletonInfo> skeleton;
+  std::optional<EvidenceInfo> evidence;  ///< with `skeleton`
   std::optional<MotionInfo> motion;
   std::optional<BodyInfo> body;
   std::optional<FlowInfo> flow;

@@ -17,6 +17,7 @@
 #include "kinefile/differences.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/fk.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"

@@ -147,11 +147,6 @@ Box world_extent(const Skeleton& skeleton, const Clip& clip);
 /// is not finite.
 double rest_size(const Skeleton& skeleton);
 
-/// The axis that points up: 1 for y, 2 for z. Along this axis the joints are high above the lowest
-/// joint, and the lowest joint stays at one level, like feet on the ground. The evidence is taken
-/// from 64 frames of the motion, or from the rest pose if there are none. In doubt y.
-std::size_t guess_up_axis(const Motion& motion);
-
 }  // namespace kinefile
 
 #pragma GCC visibility pop

@@ -157,7 +157,7 @@ struct AlignOptions {
 /// (the distance of point clouds).
 /// \errors RTM004 (Usage) if no joint is in both, or a motion has no frames
 Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
-                          const AlignOptions& options = {});
+                          const AlignOptions& options, Diagnostics& diagnostics);
 
 /// How the rotation of a joint with three rotations is interpolated, in its parent's frame.
 enum class RotationInterpolation {

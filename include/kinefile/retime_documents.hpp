@@ -33,7 +33,7 @@ Result<TimeMap> warp_map(const Document& document, const DocumentWarp& warp,
 /// Finds the map that aligns a motion with another (see `align_map` of motions).
 /// \errors those of that function; DOC001 (Usage) if one of the documents is not a motion
 Result<TimeMap> align_map(const Document& document, const Document& reference,
-                          const AlignOptions& options);
+                          const AlignOptions& options, Diagnostics& diagnostics);
 
 /// Applies a time map to a document's motion (see `apply` of a motion). The components of a body
 /// motion must have one length and rate.

@@ -94,13 +94,16 @@ struct RobotNames {
 };
 
 /// Transfers a motion to a robot. Each link follows the joint with its name or its joint's name, or
-/// the one given by `names`; the root follows the root. A link gets the same rotation relative to
-/// its rest pose as the joint; up to three consecutive robot joints produce it. Only the root is
-/// translated, in metres. z is up in both. Warnings report what the robot cannot do; feet may slide
-/// and float.
-/// \errors BRG012 (Usage) if `robot` is not a robot; BRG016 (Usage) if no names match
+/// the one given by `names`; the root follows the root. The figure is turned about z so that at
+/// rest it faces as the robot does (see `find_facing`; a robot without sides faces +x), with a note
+/// (BRG018). A link gets the same rotation relative to its rest pose as the joint; up to three
+/// consecutive robot joints produce it. Only the root is translated, in metres. z is up in both.
+/// Warnings report what the robot cannot do; feet may slide and float.
+/// \param lenient  with less than all of the motion, too
+/// \errors BRG012 (Usage) if `robot` is not a robot; BRG016 (Usage) if no names match; BRG019
+///         (DataLoss) if more than 30 degrees of a joint's rotation are lost, unless `lenient`
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
-                              Diagnostics& diagnostics);
+                              bool lenient, Diagnostics& diagnostics);
 
 /// Whether a skeleton is a robot's as our readers make it: one root, which moves freely from the
 /// world's origin and reads the first seven columns, and joints with at most one rotation or

@@ -110,6 +110,9 @@ struct Skeleton {
   std::vector<Coordinate> coordinates;  ///< one per column, in the file's order of values
   AngleUnit angle_unit = AngleUnit::Degrees;
   double metres_per_unit = 0;  ///< 0 if the file does not specify it
+  /// The axis that points up, 0 x, 1 y, 2 z, if the format defines it or the caller said it; absent
+  /// otherwise (see `find_up_axis`).
+  std::optional<std::size_t> up = std::nullopt;
 };
 
 /// Checks what every other function relies on: parents come first, axes have unit length, every

@@ -61,7 +61,7 @@ Result<FkTable> fk(Placed placed, const FkOptions& options) {
   const std::size_t num_frames = motion.clip.num_frames;
   const auto frames = parse_range(options.frames, num_frames);
   if (!frames) {
-    return refuse_table(fmt::format("expected --frames A:B or A:B:STEP within 0:{}, found '{}'",
+    return refuse_table(fmt::format("expected --frames N, A:B or A:B:STEP within 0:{}, found '{}'",
                                     num_frames, options.frames));
   }
   auto joints = joints_named(motion.skeleton, options);

@@ -14,7 +14,12 @@ std::optional<FrameRange> parse_range(const std::string& text, std::size_t num_f
   if (!text.empty() && text.back() == ':' && parts.size() < 2) parts.emplace_back();
   FrameRange range{0, num_frames, 1};
   if (text.empty()) return range;
-  if (parts.size() > 3 || parts.size() < 2) return std::nullopt;
+  if (parts.size() == 1) {  // one frame
+    const auto frame = words::integer<std::size_t>(parts[0]);
+    if (!frame || *frame >= num_frames) return std::nullopt;
+    return FrameRange{*frame, *frame + 1, 1};
+  }
+  if (parts.size() > 3 || parts.empty()) return std::nullopt;
   const std::array<std::size_t*, 3> numbers = {&range.begin, &range.end, &range.step};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string& part = parts[i];

@@ -58,6 +58,14 @@ SkeletonInfo info_of(const Skeleton& skeleton) {
   return told;
 }
 
+EvidenceInfo evidence_of(const Motion& motion) {
+  EvidenceInfo told;
+  told.up = find_up_axis(motion);
+  told.facing = find_facing(motion, told.up.axis);
+  told.unit = find_length_unit(motion);
+  return told;
+}
+
 TimeInfo info_of(const Timeline& timeline, std::size_t num_frames) {
   TimeInfo told;
   told.num_frames = num_frames;
@@ -134,7 +142,10 @@ Info info(const Document& document, const InfoOptions& options) {
   told.format = document.format;
   told.kind = kind_name(document);
   told.facts = facts_of(document);
-  if (has_skeleton(document)) told.skeleton = info_of(skeleton_of(document));
+  if (has_skeleton(document)) {
+    told.skeleton = info_of(skeleton_of(document));
+    told.evidence = evidence_of(still_or_moving(document));
+  }
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
     told.motion = {info_of(motion->clip.timeline, motion->clip.num_frames),
                    world_extent(motion->skeleton, motion->clip)};

@@ -9,34 +9,36 @@
 #include "document/conventions.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/operation.hpp"
 #include "kinefile/retime.hpp"
 
 namespace kinefile {
 namespace {
 
-/// A figure whose rest pose is larger than this is assumed to be in centimetres.
-constexpr double kTallestInMetres = 10;
-
 constexpr const char* kZIsUp =
     "z points up in a body motion of a robot, whatever --up says: the joints' values stay";
 
 /// One unit of a motion's lengths in metres, guessed if the file does not specify it.
-double settle_unit(const Skeleton& skeleton, Diagnostics& diagnostics) {
-  if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
-  const double size = rest_size(skeleton);
-  const bool is_in_metres = !(size > kTallestInMetres);
+double settle_unit(const Motion& motion, Diagnostics& diagnostics) {
+  const LengthUnit unit = find_length_unit(motion);
+  if (unit.certainty == Certainty::Known) return unit.metres;
+  const char* const name = unit.metres == 1      ? "metres"
+                           : unit.metres == 0.01 ? "centimetres"
+                                                 : "millimetres";
   diagnostics.add(Severity::Note, "CNV003",
-                  fmt::format("the file does not say its unit of length; the rest pose is {:.3g} "
-                              "units large and taken to be in {} (--unit-in says otherwise)",
-                              size, is_in_metres ? "metres" : "centimetres"));
-  return is_in_metres ? 1 : 0.01;
+                  fmt::format("the file does not say its unit of length; {}, which is taken to be "
+                              "in {} (--unit-in says otherwise)",
+                              unit.reason, name));
+  return unit.metres;
 }
 
 Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& options,
                          Diagnostics& diagnostics) {
   const std::size_t up = options.up.value_or(usual);
-  if (options.keeps_up || guess_up_axis(motion) == up) return motion;
+  if (options.keeps_up) return motion;
+  motion.skeleton.up = settle_up_axis(motion, diagnostics);
+  if (motion.skeleton.up == up) return motion;
   diagnostics.add(Severity::Note, "CNV004",
                   fmt::format("the motion is turned so that {} points up (--up as-is leaves it)",
                               up == 1 ? 'y' : 'z'));
@@ -114,7 +116,7 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
   const bool wants_joints = options.form && *options.form != robot::BodyForm::Links;
   const robot::BodyForm usual = is_of_robot ? robot::BodyForm::Joints : robot::BodyForm::Links;
   if (!is_of_robot) {
-    motion.skeleton.metres_per_unit = settle_unit(motion.skeleton, diagnostics);
+    motion.skeleton.metres_per_unit = settle_unit(motion, diagnostics);
     auto turned = turned_up(std::move(motion), 2, options, diagnostics);
     if (!turned) return fail(std::move(turned.error()));
     motion = std::move(*turned);
@@ -126,7 +128,8 @@ Result<BodyMotion> body_of(Motion motion, const KindOptions& options, Diagnostic
   if (auto known = expect_known(names, motion.skeleton, skeleton_of(*options.model)); !known) {
     return fail(std::move(known.error()));
   }
-  auto body = robot::onto_robot(motion, skeleton_of(*options.model), names, diagnostics);
+  auto body =
+      robot::onto_robot(motion, skeleton_of(*options.model), names, options.lenient, diagnostics);
   if (!body || *options.form == robot::BodyForm::Joints) return body;
   return in_form(*body, options, diagnostics);
 }

@@ -85,18 +85,19 @@ struct Mirror {
 
 Result<Motion> mirror_motion(const Motion& motion, const Mirror& mirror,
                              const OperationContext& context, Diagnostics& diagnostics) {
-  const std::size_t axis = mirror.axis ? static_cast<std::size_t>(*mirror.axis)
-                                       : edit::guess_mirror_axis(motion.skeleton);
+  std::optional<std::size_t> axis;
+  if (mirror.axis) axis = static_cast<std::size_t>(*mirror.axis);
   return edit::mirror(motion, axis, context.lenient, diagnostics);
 }
 
 constexpr std::array<Parameter, 1> kMirror = {
-    parameter<&Mirror::axis>({.name = "axis",
-                              .type = OptionType::Choice,
-                              .value_name = "x|y|z",
-                              .help = "The normal of the mirror; else the rest pose tells",
-                              .choices = kAxes,
-                              .separator = '='}),
+    parameter<&Mirror::axis>(
+        {.name = "axis",
+         .type = OptionType::Choice,
+         .value_name = "x|y|z",
+         .help = "The normal of the mirror; else the horizontal axis between the halves",
+         .choices = kAxes,
+         .separator = '='}),
 };
 
 Result<Motion> scale_lengths(Motion motion, const Factor& scale, const OperationContext&,
@@ -128,8 +129,8 @@ constexpr std::array<Parameter, 1> kUp = {
 };
 
 Result<Motion> stay_in_place(Motion motion, const NoOptions&, const OperationContext&,
-                             Diagnostics&) {
-  return edit::in_place(std::move(motion));
+                             Diagnostics& diagnostics) {
+  return edit::in_place(std::move(motion), diagnostics);
 }
 
 struct Loop {
@@ -138,8 +139,8 @@ struct Loop {
 };
 
 Result<Motion> repeat(const Motion& motion, const Loop& loop, const OperationContext&,
-                      Diagnostics&) {
-  return edit::loop(motion, loop.count, loop.blend);
+                      Diagnostics& diagnostics) {
+  return edit::loop(motion, loop.count, loop.blend, diagnostics);
 }
 
 constexpr OptionInfo kBlend = {.name = "blend",
@@ -164,11 +165,13 @@ struct Append {
 };
 
 Result<Motion> append_file(Motion motion, const Append& append, const OperationContext& context,
-                           Diagnostics&) {
+                           Diagnostics& diagnostics) {
   const auto other = open_other(append.file, context);
   if (!other) return fail(other.error());
   const Motion* second = std::get_if<Motion>(&other->content);
-  if (second != nullptr) return edit::append(std::move(motion), *second, append.blend);
+  if (second != nullptr) {
+    return edit::append(std::move(motion), *second, append.blend, diagnostics);
+  }
   return fail(make_error(ErrorKind::Usage, "CLI001",
                          fmt::format("'{}' holds {}", append.file,
                                      has_skeleton(*other) ? "a skeleton alone" : "no motion")));

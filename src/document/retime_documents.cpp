@@ -53,10 +53,12 @@ Result<TimeMap> warp_map(const Document& document, const DocumentWarp& warp,
 }
 
 Result<TimeMap> align_map(const Document& document, const Document& reference,
-                          const AlignOptions& options) {
+                          const AlignOptions& options, Diagnostics& diagnostics) {
   const Motion* motion = std::get_if<Motion>(&document.content);
   const Motion* other = std::get_if<Motion>(&reference.content);
-  if (motion != nullptr && other != nullptr) return align_map(*motion, *other, options);
+  if (motion != nullptr && other != nullptr) {
+    return align_map(*motion, *other, options, diagnostics);
+  }
   return fail(wrong_kind(motion == nullptr ? document : reference, "a motion with a skeleton"));
 }
 

@@ -2,29 +2,24 @@
 #include "edit/blend.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
+#include "edit/travel.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
-#include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
 
 namespace kinefile::edit {
 namespace {
 
-/// The rotation of a joint's frame in its parent's frame.
-Quat rotation_of(const Joint& joint, std::span<const double> row, AngleUnit unit) {
-  return joint.rest_rotation * quaternion_in_row(rotations_of(joint), row, unit);
-}
-
-std::vector<std::size_t> roots_of(const Skeleton& skeleton) {
-  std::vector<std::size_t> roots;
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    if (skeleton.joints[j].parent == kNoParent) roots.push_back(j);
-  }
-  return roots;
+/// The rotation of a traveller in the world.
+Quat rotation_of(const Traveller& traveller, const Joint& joint, std::span<const double> row,
+                 AngleUnit unit) {
+  const Quat in_parent = joint.rest_rotation * quaternion_in_row(rotations_of(joint), row, unit);
+  return traveller.is_root ? in_parent : Quat(traveller.world_from_parent * in_parent);
 }
 
 bool can_turn(const Joint& joint) { return can_turn_in_any_way(rotations_of(joint)); }
@@ -43,26 +38,23 @@ Quat twist_about(const Quat& rotation, Eigen::Index axis) {
   return twist.norm() > 0 ? twist.normalized() : Quat::Identity();
 }
 
-GroundMove move_between(const Joint& root, std::span<const double> from, std::span<const double> to,
-                        Eigen::Index up, bool is_turned, AngleUnit unit) {
+/// The motion on the ground that takes a position and, if given, a rotation to others.
+GroundMove move_between(const Vec3& from, const Vec3& to, const std::optional<Quat>& turn,
+                        Eigen::Index up) {
   GroundMove move;
-  if (is_turned) {
-    const Quat between = rotation_of(root, to, unit) * rotation_of(root, from, unit).conjugate();
-    if (between.coeffs().allFinite()) move.turn = twist_about(between, up);
-  }
-  const auto translations = translations_of(root);
-  move.shift = position_in_row(root.offset, translations, to) -
-               move.turn * position_in_row(root.offset, translations, from);
+  if (turn && turn->coeffs().allFinite()) move.turn = twist_about(*turn, up);
+  move.shift = to - move.turn * from;
   move.shift[up] = 0;
   if (!move.shift.allFinite()) move.shift.setZero();
   return move;
 }
 
-/// Rotates a root in all frames; angles continue from those of a frame before the first.
-void turn_root(const Joint& root, const Quat& turn, std::span<const double> before, AngleUnit unit,
-               Clip& clip) {
+/// Rotates a joint in its parent's frame in all frames; angles continue from those of a frame
+/// before the first.
+void turn_joint(const Joint& joint, const Quat& turn, std::span<const double> before,
+                AngleUnit unit, Clip& clip) {
   const Rows rows = clip.mutate();
-  const auto rotations = rotations_of(root);
+  const auto rotations = rotations_of(joint);
   RotationFitter fitter(rotations, unit, before);
   simd::Quaternions turned;
   for (const FrameBatch& frames : batches_of(clip.num_frames)) {
@@ -74,19 +66,19 @@ void turn_root(const Joint& root, const Quat& turn, std::span<const double> befo
   }
 }
 
-/// Applies a rigid motion to a root in all frames; angles continue from those of a frame before the
-/// first.
-void move_root(const Joint& root, const GroundMove& move, std::span<const double> before,
-               AngleUnit unit, Clip& clip) {
-  const auto translations = translations_of(root);
+/// Applies a rigid motion to a traveller in all frames; angles continue from those of a frame
+/// before the first.
+void move_traveller(const Traveller& traveller, const Joint& joint, const GroundMove& move,
+                    std::span<const double> before, AngleUnit unit, Clip& clip) {
   const Rows rows = clip.mutate();
-  for (std::size_t f = 0; !translations.empty() && f < clip.num_frames; ++f) {
-    const Vec3 place = position_in_row(root.offset, translations, rows[f]);
-    fit_position(root.offset, translations, move.turn * place + move.shift, rows[f]);
+  for (std::size_t f = 0; !traveller.translations.empty() && f < clip.num_frames; ++f) {
+    move_to(traveller, move.turn * position_of(traveller, rows[f]) + move.shift, rows[f]);
   }
   if (move.turn.vec().norm() == 0) return;
-  const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;
-  turn_root(root, turn, before, unit, clip);
+  Quat in_parent = move.turn;
+  in_parent.vec() = to_parent(traveller, move.turn.vec());
+  turn_joint(joint, joint.rest_rotation.conjugate() * in_parent * joint.rest_rotation, before, unit,
+             clip);
 }
 
 /// What is blended: rows of two clips, of which one is changed.
@@ -168,22 +160,29 @@ void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
 
 }  // namespace
 
-Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame) {
-  const Skeleton& skeleton = motion.skeleton;
-  const auto roots = roots_of(skeleton);
-  const auto lead = std::find_if(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
-    return !translations_of(skeleton.joints[root]).empty();
-  });
-  if (lead == roots.end()) return motion;
-  const bool is_turned = std::all_of(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
-    return can_turn(skeleton.joints[root]);
-  });
-  const auto up = static_cast<Eigen::Index>(guess_up_axis(other));
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame,
+                const Ground& ground) {
+  const std::vector<Joint>& joints = motion.skeleton.joints;
+  const AngleUnit unit = motion.skeleton.angle_unit;
+  const auto travellers = travellers_of(motion, ground.travellers);
+  const auto lead = std::find_if(travellers.begin(), travellers.end(),
+                                 [](const Traveller& t) { return !t.translations.empty(); });
+  if (lead == travellers.end()) return motion;
+  const Traveller there = travellers_of(other, std::array{lead->joint}).front();
   const auto before = other.clip.row(other_frame);
-  const GroundMove move = move_between(skeleton.joints[*lead], motion.clip.row(frame), before, up,
-                                       is_turned, skeleton.angle_unit);
-  for (const std::size_t root : roots) {
-    move_root(skeleton.joints[root], move, before, skeleton.angle_unit, motion.clip);
+  const auto row = motion.clip.row(frame);
+  const bool is_turned = std::all_of(travellers.begin(), travellers.end(),
+                                     [&](const Traveller& t) { return can_turn(joints[t.joint]); });
+  std::optional<Quat> turn;
+  if (is_turned) {
+    const Joint& joint = joints[lead->joint];
+    turn =
+        rotation_of(there, joint, before, unit) * rotation_of(*lead, joint, row, unit).conjugate();
+  }
+  const GroundMove move = move_between(position_of(*lead, row), position_of(there, before), turn,
+                                       static_cast<Eigen::Index>(ground.up));
+  for (const Traveller& traveller : travellers) {
+    move_traveller(traveller, joints[traveller.joint], move, before, unit, motion.clip);
   }
   return motion;
 }

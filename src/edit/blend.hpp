@@ -3,16 +3,24 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "kinefile/motion.hpp"
 
 namespace kinefile::edit {
 
-/// Translates and rotates a motion on the ground so that its first moving root has, in `frame`, the
+/// The ground that a figure travels over.
+struct Ground {
+  std::size_t up = 1;                   ///< the axis that points up
+  std::vector<std::size_t> travellers;  ///< see `find_travellers`
+};
+
+/// Translates and rotates a motion on the ground so that its first traveller has, in `frame`, the
 /// same ground position and heading as in `other_frame` of another motion. It is rotated only if
-/// all roots can represent every rotation.
+/// all travellers can represent every rotation.
 /// \param other  has the same skeleton
-Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame);
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame,
+                const Ground& ground);
 
 /// Blends the poses of some frames into those of another clip: three rotations of a joint as one
 /// rotation, like balls and rotation vectors; other values as numbers.

@@ -3,15 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "edit/travel.hpp"
 #include "kinefile/edit.hpp"
-#include "kinefile/kinematics.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinematics/joint_columns.hpp"
 
 namespace kinefile::edit {
 namespace {
-
-constexpr Eigen::Index kY = 1;
-constexpr Eigen::Index kZ = 2;
 
 bool is_length(DofKind kind) {
   return kind == DofKind::Translation || kind == DofKind::TailTranslation;
@@ -39,12 +37,16 @@ void scale_length(double factor, bool is_column_scaled, DegreeOfFreedom& dof) {
   (is_column_scaled ? dof.rest : dof.gain) *= factor;
 }
 
-/// A rotation by 90 degrees about x, which rotates y to z or z to y.
+/// A rotation by 90 degrees that takes one axis to another.
 struct QuarterTurn {
-  bool is_to_z = true;
+  Eigen::Index from = 1;
+  Eigen::Index to = 2;
 
   Vec3 operator()(const Vec3& v) const {
-    return is_to_z ? Vec3(v[0], -v[kZ], v[kY]) : Vec3(v[0], v[kZ], -v[kY]);
+    Vec3 turned = v;
+    turned[to] = v[from];
+    turned[from] = -v[to];
+    return turned;
   }
 };
 
@@ -151,19 +153,37 @@ void hold_column(Clip& clip, std::size_t column) {
   }
 }
 
-/// Moves a root with oblique translation axes back above its first position in every frame.
-void hold_over_ground(const Joint& root, const std::vector<Translation>& translations,
-                      Eigen::Index up, Clip& clip) {
+/// Moves a joint with oblique translation axes back above its first position in every frame.
+void hold_over_ground(const Traveller& traveller, Eigen::Index up, Clip& clip) {
   const Rows rows = clip.mutate();
   std::optional<Vec3> start;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    Vec3 place = position_in_row(root.offset, translations, rows[f]);
+    Vec3 place = position_of(traveller, rows[f]);
     if (!place.allFinite()) continue;
     if (!start) start = place;
     const double height = place[up];
     place = *start;
     place[up] = height;
-    fit_position(root.offset, translations, place, rows[f]);
+    move_to(traveller, place, rows[f]);
+  }
+}
+
+/// Holds a traveller above its first position. Columns along the axis that points up keep their
+/// bits if the others are level.
+void hold(const Traveller& traveller, Eigen::Index up, Clip& clip) {
+  constexpr double kStraight = 1e-12;
+  const auto rise = [&](const Translation& s) { return std::abs(to_world(traveller, s.axis)[up]); };
+  const auto is_level = [&](const Translation& s) { return rise(s) < kStraight; };
+  const auto is_straight = [&](const Translation& s) {
+    return is_level(s) || std::abs(rise(s) - 1) < kStraight;
+  };
+  const auto& translations = traveller.translations;
+  if (!std::all_of(translations.begin(), translations.end(), is_straight)) {
+    hold_over_ground(traveller, up, clip);
+    return;
+  }
+  for (const Translation& translation : translations) {
+    if (is_level(translation)) hold_column(clip, translation.dof.coordinate);
   }
 }
 
@@ -190,12 +210,14 @@ Motion scale(Motion motion, double factor) {
 }
 
 Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
-  if (guess_up_axis(motion) == axis) {
+  const std::size_t before_axis = settle_up_axis(motion, diagnostics);
+  motion.skeleton.up = axis;
+  if (before_axis == axis) {
     diagnostics.add(Severity::Note, "EDT009",
                     axis == 2 ? "z points up already" : "y points up already");
     return motion;
   }
-  const QuarterTurn turn{axis == 2};
+  const QuarterTurn turn{static_cast<Eigen::Index>(before_axis), static_cast<Eigen::Index>(axis)};
   const auto readers = num_readers_of_columns(motion.skeleton);
   const Skeleton before = motion.skeleton;
   std::vector<bool> is_turned(readers.size(), false);
@@ -206,23 +228,11 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
   return motion;
 }
 
-Motion in_place(Motion motion) {
-  constexpr double kStraight = 1e-12;
-  const auto up = static_cast<Eigen::Index>(guess_up_axis(motion));
-  for (const Joint& joint : motion.skeleton.joints) {
-    if (joint.parent != kNoParent) continue;
-    const std::vector<Translation> translations = translations_of(joint);
-    const auto is_level = [up](const Translation& s) { return std::abs(s.axis[up]) < kStraight; };
-    const auto is_straight = [up, is_level](const Translation& s) {
-      return is_level(s) || std::abs(std::abs(s.axis[up]) - 1) < kStraight;
-    };
-    if (!std::all_of(translations.begin(), translations.end(), is_straight)) {
-      hold_over_ground(joint, translations, up, motion.clip);
-      continue;
-    }
-    for (const Translation& translation : translations) {
-      if (is_level(translation)) hold_column(motion.clip, translation.dof.coordinate);
-    }
+Motion in_place(Motion motion, Diagnostics& diagnostics) {
+  if (motion.skeleton.joints.empty()) return motion;
+  const auto up = static_cast<Eigen::Index>(settle_up_axis(motion, diagnostics));
+  for (const Traveller& traveller : travellers_of(motion, find_travellers(motion))) {
+    hold(traveller, up, motion.clip);
   }
   return motion;
 }

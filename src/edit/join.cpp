@@ -8,6 +8,7 @@
 #include "edit/blend.hpp"
 #include "edit/unwrap.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
 
@@ -133,8 +134,21 @@ void append_rows(Clip& first, const Clip& second, std::size_t begin) {
   first.num_frames += second.num_frames - begin;
 }
 
+/// The ground of two motions that are joined. If different joints carry them, the roots do.
+Ground ground_of(const Motion& first, const Motion& second, Diagnostics& diagnostics) {
+  Ground ground{settle_up_axis(first, diagnostics), find_travellers(first)};
+  if (ground.travellers == find_travellers(second)) return ground;
+  ground.travellers.clear();
+  for (std::size_t j = 0; j < first.skeleton.joints.size(); ++j) {
+    if (first.skeleton.joints[j].parent == kNoParent) ground.travellers.push_back(j);
+  }
+  return ground;
+}
+
 /// Appends a compatible motion (see `obstacle_to`).
-void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames) {
+/// \param ground  needed only for blending
+void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames,
+               const Ground& ground) {
   append_times(first.clip, second.clip, num_blend_frames);
   if (num_blend_frames == 0) {
     append_rows(first.clip, second.clip, 0);
@@ -142,7 +156,7 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
   }
   const std::size_t overlap = first.clip.num_frames - num_blend_frames;
   const Motion moved =
-      moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2);
+      moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2, ground);
   std::vector<double> weights;
   for (std::size_t i = 0; i < num_blend_frames; ++i) {
     const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
@@ -156,18 +170,22 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
 
 }  // namespace
 
-Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames) {
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
+                      Diagnostics& diagnostics) {
   if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
     return fail(cannot_join("the motion would have more than 2^30 values"));
   }
-  append_to(first, second, num_blend_frames);
+  Ground ground;
+  if (num_blend_frames > 0) ground = ground_of(first, second, diagnostics);
+  append_to(first, second, num_blend_frames, ground);
   return first;
 }
 
-Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
+                    Diagnostics& diagnostics) {
   const Clip& clip = motion.clip;
   if (count == 0) return fail(cannot_join("a motion cannot be played 0 times"));
   if (num_blend_frames > clip.num_frames) {
@@ -181,7 +199,9 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
   Motion result = motion;
   if (clip.num_frames == 0) return result;
   result.clip.values.reserve(clip.values.size() * count);
-  for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames);
+  Ground ground;
+  if (num_blend_frames > 0) ground = ground_of(motion, motion, diagnostics);
+  for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames, ground);
   return result;
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Mirrored in the plane with S = I - 2 n n^T, joint j with world pose W_j gives its partner k the
-// pose W'_k = S W_j M_j. M_j = G_j^-1 S G_k transforms j's frame to k's in the pose with angles 0
-// (G), so that the image of this pose is itself. In its parent's frame, k's pose is M_p^-1 L_j M_j,
-// and the part of its degrees of freedom is M_j^-1 D_j M_j: a rotation about a becomes the opposite
-// rotation about M_j^-1 a. If no joint has a rest rotation, every M is S.
+// Mirrored in a plane of the world with S = I - 2 n n^T, joint j with world pose W_j gives its
+// partner k the pose W'_k = S W_j M_j. M_j = G_j^-1 T G_k transforms j's frame to k's: G are the
+// joints' frames in a pose that is its own image in the skeleton's plane, with mirror T; the pose
+// with angles 0, or a frame. In its parent's frame, k's pose is M_p^-1 L_j M_j, where M_p^-1 is S
+// for a root. k's degrees of freedom make the part B D_j M_j of it, where B = R_k^-1 M_p^-1 R_j and
+// R are rest rotations. In the pose with angles 0, and with S = T, B is M_j^-1: a rotation about a
+// becomes the opposite rotation about M_j^-1 a. If no joint has a rest rotation, every M is T.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "edit/mirror_pairs.hpp"
+#include "edit/mirror_plane.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
@@ -37,6 +39,9 @@ struct JointPlan {
   std::size_t target = 0;
   Mat3 frame = Mat3::Identity();   ///< M_j: from the target's frame to the source's, mirrored
   Mat3 parent = Mat3::Identity();  ///< M_p^-1: from the source's parent's to the target's parent's
+  Quat before = Quat::Identity();  ///< -B
+  Quat after = Quat::Identity();   ///< -M_j
+  bool is_conjugate = true;        ///< B is M_j^-1
   std::vector<Copy> copies;
   bool follows = false;            ///< the target follows another joint in some column
   bool is_rotation_found = false;  ///< angles are recomputed
@@ -48,9 +53,11 @@ struct MirrorContext {
   double size = 0;
   bool lenient = false;
   Diagnostics& diagnostics;
-  std::vector<Quat> rest = {};            ///< G: the rotations of the joints' frames if all angles
-                                          ///< are 0
-  std::vector<std::size_t> leaders = {};  ///< of columns
+  std::vector<Quat> frames = {};            ///< G: the rotations of joints in the symmetric pose
+  std::vector<std::size_t> leaders = {};    ///< of columns
+  Mat3 skeleton_mirror = Mat3::Identity();  ///< T
+  Mat3 world_mirror = Mat3::Identity();     ///< S
+  bool is_at_rest = true;                   ///< the symmetric pose is that with angles 0
 };
 
 /// The rotation of every joint's frame in the world if all degrees of freedom are 0.
@@ -62,6 +69,21 @@ std::vector<Quat> rest_frames(const Skeleton& skeleton) {
   }
   return frames;
 }
+
+/// The rotation of every joint's frame in the world in a frame of a motion.
+std::vector<Quat> frames_in(const Motion& motion, std::size_t frame) {
+  const WorldPoses poses = forward_kinematics(
+      motion.skeleton, motion.clip, {.first_frame = frame, .num_frames = 1, .rotations = true});
+  std::vector<Quat> frames;
+  for (std::size_t j = 0; j < poses.num_joints; ++j) {
+    const double* q = &poses.rotations[j * 4];
+    frames.emplace_back(q[0], q[1], q[2], q[3]);
+  }
+  return frames;
+}
+
+/// The reflection in a plane through the origin.
+Mat3 mirror_of(const Vec3& normal) { return Mat3::Identity() - 2 * normal * normal.transpose(); }
 
 /// A vector times a mirror matrix; exact if that only changes signs.
 Vec3 reflect(const Mat3& mirror, const Vec3& v) {
@@ -99,9 +121,8 @@ std::optional<std::vector<Copy>> copies_of_rotations(const JointPlan& plan, cons
                                                      const Joint& target) {
   const auto from = rotations_of(source);
   const auto to = rotations_of(target);
-  if (from.size() != to.size() || is_whole_rotation(from) || is_whole_rotation(to)) {
-    return std::nullopt;
-  }
+  const bool is_whole = is_whole_rotation(from) || is_whole_rotation(to);
+  if (!plan.is_conjugate || is_whole || from.size() != to.size()) return std::nullopt;
   std::vector<Copy> copies;
   for (std::size_t k = 0; k < from.size(); ++k) {
     const auto sign = sign_between(to[k].axis, reflect(plan.frame.transpose(), from[k].axis));
@@ -143,20 +164,28 @@ void copy_tails(const JointPlan& plan, const Joint& source, const Joint& target,
 }
 
 JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
-                     std::size_t target_index, const Mat3& mirror) {
+                     std::size_t target_index) {
   const Skeleton& skeleton = context.motion.skeleton;
   const Joint& source = skeleton.joints[source_index];
   const Joint& target = skeleton.joints[target_index];
-  const auto rest = [&context](std::size_t joint) {
-    return joint == kNoParent ? Mat3(Mat3::Identity()) : context.rest[joint].toRotationMatrix();
+  const Mat3& mirror = context.skeleton_mirror;
+  const auto frame = [&context](std::size_t joint) {
+    return joint == kNoParent ? Mat3(Mat3::Identity()) : context.frames[joint].toRotationMatrix();
   };
   JointPlan plan;
   plan.source = source_index;
   plan.target = target_index;
   const auto follows = following_dofs(target.dofs, target_index, context.leaders);
   plan.follows = std::find(follows.begin(), follows.end(), true) != follows.end();
-  plan.frame = rest(source_index).transpose() * mirror * rest(target_index);
-  plan.parent = rest(target.parent).transpose() * mirror * rest(source.parent);
+  const bool is_root = source.parent == kNoParent && target.parent == kNoParent;
+  plan.frame = frame(source_index).transpose() * mirror * frame(target_index);
+  plan.parent = is_root ? context.world_mirror
+                        : Mat3(frame(target.parent).transpose() * mirror * frame(source.parent));
+  plan.is_conjugate =
+      context.is_at_rest && (!is_root || context.world_mirror == context.skeleton_mirror);
+  plan.after = Quat(Mat3(-plan.frame));
+  plan.before = Quat(Mat3(-(target.rest_rotation.toRotationMatrix().transpose() * plan.parent *
+                            source.rest_rotation.toRotationMatrix())));
   if (auto copies = copies_of_rotations(plan, source, target)) {
     plan.copies = std::move(*copies);
   } else {
@@ -198,7 +227,14 @@ void mirrored_rotations(const MirrorContext& context, const JointPlan& plan,
   const auto rotations = rotations_of(context.motion.skeleton.joints[plan.source]);
   rotations_in_rows(rotations, context.motion.clip, frames, context.motion.skeleton.angle_unit,
                     out);
-  rotation::turn_axes(-plan.frame.transpose(), out);
+  if (plan.is_conjugate) {
+    rotation::turn_axes(-plan.frame.transpose(), out);
+    return;
+  }
+  for (std::size_t i = 0; i < frames.count; ++i) {
+    const Quat turned = plan.before * rotation::quaternion_at(out, i) * plan.after;
+    rotation::put_quaternion(turned, i, out);
+  }
 }
 
 /// Which of a target's degrees of freedom follow another joint.
@@ -222,8 +258,8 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, const
   const auto from = rotations_of(skeleton.joints[plan.source]);
   const auto to = rotations_of(skeleton.joints[plan.target]);
   const auto follows = follows_of(context, plan, to);
-  const bool is_exact =
-      is_whole_rotation(from) && is_whole_rotation(to) && from[0].kind == to[0].kind && !follows[0];
+  const bool is_exact = plan.is_conjugate && is_whole_rotation(from) && is_whole_rotation(to) &&
+                        from[0].kind == to[0].kind && !follows[0];
   if (is_exact) {
     for (std::size_t f = 0; f < clip.num_frames; ++f) {
       mirror_numbers(plan, from[0], to[0], clip.row(f), rows[f]);
@@ -311,24 +347,26 @@ bool is_reached(const MirrorContext& context, const JointPlan& plan, const Clip&
 
 }  // namespace
 
-Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
+Result<Motion> mirror(const Motion& motion, std::optional<std::size_t> axis, bool lenient,
                       Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
   Motion result = motion;
   if (skeleton.joints.empty()) return result;
-  const MirrorContext context{motion,      rest_size(skeleton),   lenient,
-                              diagnostics, rest_frames(skeleton), leaders_of_columns(skeleton)};
-  Vec3 signs = Vec3::Ones();
-  signs[static_cast<Eigen::Index>(axis)] = -1;
-  const Mat3 mirror = signs.asDiagonal();
-  const auto pairs = mirror_pairs(skeleton, axis);
-  if (!lie_opposite(skeleton, pairs, axis)) {
+  const auto plane = find_mirror_plane(motion, axis, diagnostics);
+  if (!plane) return fail(plane.error());
+  MirrorContext context{motion, rest_size(skeleton), lenient, diagnostics};
+  context.is_at_rest = !plane->frame.has_value();
+  context.frames = plane->frame ? frames_in(motion, *plane->frame) : rest_frames(skeleton);
+  context.leaders = leaders_of_columns(skeleton);
+  context.skeleton_mirror = mirror_of(plane->skeleton_normal);
+  context.world_mirror = mirror_of(Vec3::Unit(static_cast<Eigen::Index>(plane->world_axis)));
+  if (!plane->is_symmetric) {
     auto reported = fail_or_warn(
-        context, fmt::format("left and right do not lie on the two sides of a mirror whose normal "
-                             "is {}; that of this skeleton is {}",
-                             "xyz"[axis], "xyz"[guess_mirror_axis(skeleton)]));
+        context,
+        "left and right do not lie on the two sides of a plane, neither at rest nor in a frame");
     if (!reported) return fail(std::move(reported.error()));
   }
+  const auto& pairs = plane->pairs;
   const Rows rows = result.clip.mutate();
   std::vector<JointPlan> following;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
@@ -344,7 +382,7 @@ Result<Motion> mirror(const Motion& motion, std::size_t axis, bool lenient,
       if (!reported) return fail(std::move(reported.error()));
     }
     const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
-    const JointPlan plan = plan_joint(context, j, target, mirror);
+    const JointPlan plan = plan_joint(context, j, target);
     auto done = mirror_joint(context, plan, rows);
     if (!done) return fail(std::move(done.error()));
     if (plan.follows) following.push_back(plan);

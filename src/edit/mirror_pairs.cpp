@@ -1,93 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "edit/mirror_pairs.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
-#include <string_view>
+#include <limits>
 #include <utility>
 
-#include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
-#include "kinematics/joint_columns.hpp"
+#include "model/side_names.hpp"
 
 namespace kinefile::edit {
 namespace {
 
-struct SidePair {
-  std::string_view left;
-  std::string_view right;
-};
-
-constexpr std::array<SidePair, 4> kWords = {
-    {{"Left", "Right"}, {"left", "right"}, {"LEFT", "RIGHT"}, {"左", "右"}}};
-
-/// A name in which every word of one side is replaced by that of the other side.
-std::string with_words_swapped(std::string_view name) {
-  std::string swapped;
-  while (!name.empty()) {
-    std::size_t length = 1;
-    std::string_view word = name.substr(0, 1);
-    for (const SidePair& pair : kWords) {
-      const bool is_left = name.starts_with(pair.left);
-      if (!is_left && !name.starts_with(pair.right)) continue;
-      length = is_left ? pair.left.size() : pair.right.size();
-      word = is_left ? pair.right : pair.left;
-      break;
-    }
-    swapped += word;
-    name.remove_prefix(length);
-  }
-  return swapped;
-}
-
-/// The letter of the other side, or 0 if the letter stands for no side.
-char other_side(char letter) {
-  constexpr std::string_view kSides = "lrLR";
-  const std::size_t side = kSides.find(letter);
-  return side == std::string_view::npos ? '\0' : kSides[side ^ 1];
-}
-
-bool is_word_letter(char c) {
-  const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  return is_letter || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-/// Candidate names of a joint's partner, the most certain first.
-std::vector<std::string> names_of_other_half(const std::string& name) {
-  std::vector<std::string> names;
-  if (std::string swapped = with_words_swapped(name); swapped != name) names.push_back(swapped);
-  std::vector<std::string> ends;  // a letter that is not a separate word is less certain
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const char other = other_side(name[i]);
-    const bool is_start = i == 0 || !is_word_letter(name[i - 1]);
-    const bool is_end = i + 1 == name.size() || !is_word_letter(name[i + 1]);
-    if (other == '\0' || (!is_start && !is_end)) continue;
-    std::string swapped = name;
-    swapped[i] = other;
-    (is_start && is_end ? names : ends).push_back(std::move(swapped));
-  }
-  names.insert(names.end(), ends.begin(), ends.end());
-  return names;
-}
-
-std::vector<std::size_t> depths_of(const Skeleton& skeleton) {
-  std::vector<std::size_t> depths;
-  for (const Joint& joint : skeleton.joints) {
-    depths.push_back(joint.parent == kNoParent ? 0 : depths[joint.parent] + 1);
-  }
-  return depths;
-}
-
-std::vector<Vec3> rest_positions(const Skeleton& skeleton) {
-  const WorldPoses poses = forward_kinematics(skeleton, rest_clip(skeleton));
-  std::vector<Vec3> places;
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    places.emplace_back(Eigen::Map<const Vec3>(&poses.positions[j * 3]));
-  }
-  return places;
-}
+/// Ends are in the plane up to this, of the skeleton's size.
+constexpr double kEndsInPlane = 0.02;
 
 std::vector<std::size_t> roots_of_joints(const Skeleton& skeleton) {
   std::vector<std::size_t> roots;
@@ -98,106 +24,144 @@ std::vector<std::size_t> roots_of_joints(const Skeleton& skeleton) {
   return roots;
 }
 
-/// The joint without a partner that is nearest to a place, if one is within a distance.
-std::size_t nearest_single(const std::vector<Vec3>& places, const std::vector<std::size_t>& depths,
-                           const std::vector<std::size_t>& pairs, std::size_t joint,
-                           const Vec3& place, double distance) {
-  std::size_t nearest = kNoParent;
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    if (j == joint || pairs[j] != kNoParent || depths[j] != depths[joint]) continue;
-    if (!((places[j] - place).norm() <= distance)) continue;
-    distance = (places[j] - place).norm();
-    nearest = j;
+/// Looks for partners in one pose.
+struct Matcher {
+  const Skeleton& skeleton;
+  const JointPlaces& places;
+  Vec3 normal;
+  double size;
+  std::vector<std::size_t> depths;
+
+  Vec3 image(const Vec3& place) const { return place - 2 * normal.dot(place) * normal; }
+
+  /// Whether another joint without a partner lies where a joint's image does.
+  bool has_other_there(std::size_t joint, const std::vector<std::size_t>& pairs,
+                       double distance) const {
+    return partner_of(joint, pairs, distance) != kNoParent;
   }
-  return nearest;
+
+  /// Two joints in the plane, such as hips at the root, are each other's halves if their ends are
+  /// not in it.
+  bool is_in_plane(std::size_t joint, const std::vector<std::size_t>& pairs,
+                   double distance) const {
+    if (!(std::abs(normal.dot(places.joints[joint])) <= distance)) return false;
+    const Joint& own = skeleton.joints[joint];
+    if (own.parent != kNoParent && has_side(own.name)) return false;
+    const bool are_ends_in_plane =
+        std::abs(normal.dot(places.ends[joint])) <= std::max(distance, kEndsInPlane * size);
+    return are_ends_in_plane || !has_other_there(joint, pairs, distance);
+  }
+
+  /// The joint without a partner that is nearest to the image of another.
+  std::size_t partner_of(std::size_t joint, const std::vector<std::size_t>& pairs,
+                         double distance) const {
+    constexpr double kEndShare = 0.1;  // ends decide between joints at one place
+    double best = std::numeric_limits<double>::infinity();
+    std::size_t nearest = kNoParent;
+    const Vec3 place = image(places.joints[joint]);
+    const Vec3 end = image(places.ends[joint]);
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      if (j == joint || pairs[j] != kNoParent || depths[j] != depths[joint]) continue;
+      const double apart = (places.joints[j] - place).norm();
+      const double score = apart + kEndShare * (places.ends[j] - end).norm();
+      if (!(apart <= distance) || !(score < best)) continue;
+      best = score;
+      nearest = j;
+    }
+    return nearest;
+  }
+};
+
+}  // namespace
+
+JointPlaces places_of(const Skeleton& skeleton, const PoseArrays& poses, std::size_t row) {
+  const std::size_t num_joints = skeleton.joints.size();
+  const auto roots = roots_of_joints(skeleton);
+  const auto first_tips = first_tips_of_joints(skeleton);
+  JointPlaces places;
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    const Vec3 root(&poses.positions[(row * num_joints + roots[j]) * 3]);
+    places.joints.push_back(Vec3(&poses.positions[(row * num_joints + j) * 3]) - root);
+  }
+  std::vector<double> counts(num_joints, 0);
+  places.ends.assign(num_joints, Vec3::Zero());
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    const Vec3 root(&poses.positions[(row * num_joints + roots[j]) * 3]);
+    for (std::size_t t = 0; t < skeleton.joints[j].tips.size(); ++t) {
+      const double* tip = &poses.tips[(row * poses.num_tips + first_tips[j] + t) * 3];
+      places.ends[j] += Vec3(tip) - root;
+      ++counts[j];
+    }
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (parent == kNoParent) continue;
+    places.ends[parent] += places.joints[j];
+    ++counts[parent];
+  }
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    places.ends[j] = counts[j] > 0 ? Vec3(places.ends[j] / counts[j]) : places.joints[j];
+  }
+  return places;
 }
 
-void pair_by_place(const Skeleton& skeleton, std::size_t axis, std::vector<std::size_t>& pairs) {
-  constexpr double kInPlane = 1e-3;
-  constexpr double kNear = 0.01;
-  const auto normal = static_cast<Eigen::Index>(axis);
+JointPlaces rest_places(const Skeleton& skeleton) {
+  const WorldPoses poses = forward_kinematics(skeleton, rest_clip(skeleton), {.tips = true});
+  return places_of(skeleton, poses, 0);
+}
+
+void pair_by_place(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
+                   const PairTolerance& tolerance, std::vector<std::size_t>& pairs) {
   const double size = rest_size(skeleton);
-  const auto places = rest_positions(skeleton);
-  const auto depths = depths_of(skeleton);
-  const auto roots = roots_of_joints(skeleton);
-  const auto height = [&](std::size_t j) { return places[j][normal] - places[roots[j]][normal]; };
+  const Matcher matcher{skeleton, places, normal, size, depths_of(skeleton)};
   const auto pair_in_plane = [&](double distance) {
     for (std::size_t j = 0; j < pairs.size(); ++j) {
-      if (pairs[j] == kNoParent && std::abs(height(j)) <= distance) pairs[j] = j;
+      if (pairs[j] == kNoParent && matcher.is_in_plane(j, pairs, distance)) pairs[j] = j;
     }
   };
-  pair_in_plane(kInPlane * size);
+  pair_in_plane(tolerance.strict * size);
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] != kNoParent) continue;
-    Vec3 image = places[j];
-    image[normal] -= 2 * height(j);
-    const std::size_t other = nearest_single(places, depths, pairs, j, image, kNear * size);
+    const std::size_t other = matcher.partner_of(j, pairs, tolerance.near * size);
     if (other == kNoParent) continue;
     pairs[j] = other;
     pairs[other] = j;
   }
-  pair_in_plane(kNear * size);  // spines from motion capture are not exactly straight
+  pair_in_plane(tolerance.near * size);  // spines from motion capture are not exactly straight
 }
 
-}  // namespace
-
-std::vector<std::size_t> pairs_by_name(const Skeleton& skeleton) {
-  const auto depths = depths_of(skeleton);
-  std::map<std::string, std::vector<std::size_t>> joints_of_name;
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    joints_of_name[skeleton.joints[j].name].push_back(j);
-  }
-  std::vector<std::size_t> pairs(skeleton.joints.size(), kNoParent);
+void pair_with_themselves(const Skeleton& skeleton, std::vector<std::size_t>& pairs) {
+  bool has_pairs = false;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
-    if (pairs[j] != kNoParent) continue;
-    for (const std::string& name : names_of_other_half(skeleton.joints[j].name)) {
-      const auto others = joints_of_name.find(name);
-      if (others == joints_of_name.end()) continue;
-      for (const std::size_t other : others->second) {
-        if (pairs[j] != kNoParent || pairs[other] != kNoParent || depths[other] != depths[j]) {
-          continue;
-        }
-        pairs[j] = other;
-        pairs[other] = j;
-      }
-    }
+    has_pairs = has_pairs || (pairs[j] != kNoParent && pairs[j] != j);
   }
-  return pairs;
+  for (std::size_t j = 0; has_pairs && j < pairs.size(); ++j) {
+    const std::size_t parent = skeleton.joints[j].parent;
+    const bool is_on_trunk = parent == kNoParent || pairs[parent] == parent;
+    if (pairs[j] == kNoParent && is_on_trunk && !has_side(skeleton.joints[j].name)) pairs[j] = j;
+  }
 }
 
-std::vector<std::size_t> mirror_pairs(const Skeleton& skeleton, std::size_t axis) {
-  auto pairs = pairs_by_name(skeleton);
-  if (!pairs.empty()) pair_by_place(skeleton, axis, pairs);
-  return pairs;
-}
-
-bool lie_opposite(const Skeleton& skeleton, const std::vector<std::size_t>& pairs,
-                  std::size_t axis) {
-  const auto places = rest_positions(skeleton);
-  double along = 0;
-  double across = 0;
+double asymmetry(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
+                 const std::vector<std::size_t>& pairs) {
+  const Matcher matcher{skeleton, places, normal, 0, {}};
+  double largest = 0;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] == kNoParent) continue;
-    Vec3 apart = places[j] - places[pairs[j]];
-    along += std::abs(std::exchange(apart[static_cast<Eigen::Index>(axis)], 0.0));
-    across += apart.norm();
+    const double joint = (matcher.image(places.joints[j]) - places.joints[pairs[j]]).norm();
+    const double end = (matcher.image(places.ends[j]) - places.ends[pairs[j]]).norm();
+    if (!std::isfinite(joint + end)) return std::numeric_limits<double>::quiet_NaN();
+    largest = std::max({largest, joint, end});
   }
-  return along >= across;
+  const double size = rest_size(skeleton);
+  return size > 0 ? largest / size : 0;
 }
 
-std::size_t guess_mirror_axis(const Skeleton& skeleton) {
-  if (skeleton.joints.empty()) return 0;
-  const auto pairs = pairs_by_name(skeleton);
-  const auto places = rest_positions(skeleton);
-  Vec3 apart = Vec3::Zero();
+Vec3 distances_of_pairs(const JointPlaces& places, const std::vector<std::size_t>& pairs) {
+  Vec3 distances = Vec3::Zero();
   for (std::size_t j = 0; j < pairs.size(); ++j) {
-    if (pairs[j] != kNoParent) apart += (places[j] - places[pairs[j]]).cwiseAbs();
+    if (pairs[j] == kNoParent) continue;
+    distances += (places.joints[j] - places.joints[pairs[j]]).cwiseAbs();
   }
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (apart[static_cast<Eigen::Index>(k)] > apart[static_cast<Eigen::Index>(axis)]) axis = k;
-  }
-  return axis;
+  return distances;
 }
 
 }  // namespace kinefile::edit

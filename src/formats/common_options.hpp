@@ -56,6 +56,22 @@ inline constexpr ReadOption kUnitIn = {
       return metres.has_value();
     }};
 
+inline constexpr std::string_view kAxes[] = {"x", "y", "z"};
+
+inline constexpr ReadOption kUpIn = {
+    {
+        .name = "up-in",
+        .type = OptionType::Choice,
+        .value_name = "x|y|z",
+        .help = "Which axis points up in the file; else the legs and the ground tell",
+        .choices = kAxes,
+    },
+    [](ReadOptions& options, const OptionInfo&, std::string_view word) {
+      if (word.size() != 1 || word[0] < 'x' || word[0] > 'z') return false;
+      options.up = static_cast<std::size_t>(word[0] - 'x');
+      return true;
+    }};
+
 inline constexpr OptionInfo kProjectInfo = {
     .name = "project",
     .type = OptionType::File,

@@ -281,6 +281,7 @@ std::optional<Document> document_of(const Robot& robot, std::string_view format,
   skeleton.name = robot.name;
   skeleton.angle_unit = AngleUnit::Radians;
   skeleton.metres_per_unit = 1;
+  skeleton.up = 2;
   skeleton.coordinates = columns_of_ids(num_ids.value_or(0));
   std::vector<std::size_t> joint_of_link(robot.links.size(), kNoParent);
   std::vector<bool> is_taken(num_ids.value_or(0), false);

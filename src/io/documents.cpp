@@ -32,6 +32,7 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
   skeleton_options.lenient = options.lenient;
   skeleton_options.of_formats = options.of_formats;
   skeleton_options.metres_per_unit = options.metres_per_unit;
+  skeleton_options.up = options.up;
   auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
   options.skeleton = std::make_shared<const Document>(std::move(*skeleton));

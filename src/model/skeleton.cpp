@@ -124,6 +124,10 @@ std::size_t num_coordinates(const DegreeOfFreedom& dof) {
 
 Result<void> validate(const Skeleton& skeleton) {
   const std::size_t num_columns = skeleton.coordinates.size();
+  if (skeleton.up.value_or(0) > 2) {
+    return fail(make_error(ErrorKind::InvalidInput, "MDL001",
+                           fmt::format("there is no axis {} to point up", *skeleton.up)));
+  }
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const std::string fault = fault_of(skeleton.joints[j], j, num_columns);
     if (!fault.empty()) {

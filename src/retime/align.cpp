@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/retime.hpp"
 #include "model/joint_names.hpp"
@@ -71,7 +72,8 @@ double length_scale(const Motion& motion, const Motion& other) {
 
 /// The pairs of the two motions' frames that belong together.
 std::vector<FramePair> align_frames(const Motion& reference, const Motion& motion,
-                                    const SharedJoints& shared, AlignOptions::By by) {
+                                    const SharedJoints& shared, AlignOptions::By by,
+                                    Diagnostics& diagnostics) {
   const auto align = [&](const auto& rows, const auto& columns) {
     return align_sequences(
         reference.clip.num_frames, motion.clip.num_frames,
@@ -81,9 +83,12 @@ std::vector<FramePair> align_frames(const Motion& reference, const Motion& motio
     return align(angles_of_frames(reference, shared.first),
                  angles_of_frames(motion, shared.second));
   }
-  // NOLINTNEXTLINE(readability-suspicious-call-argument): both are brought to one scale
-  return align(points_of_frames(reference, shared.first, length_scale(reference, motion)),
-               points_of_frames(motion, shared.second, length_scale(motion, reference)));
+  const auto points = [&](const Motion& one, const Motion& other,
+                          const std::vector<std::size_t>& joints) {
+    return points_of_frames(one, joints, length_scale(one, other),
+                            settle_up_axis(one, diagnostics));
+  };
+  return align(points(reference, motion, shared.first), points(motion, reference, shared.second));
 }
 
 double number(std::size_t count) { return static_cast<double>(count); }
@@ -165,7 +170,7 @@ tl::unexpected<Error> refuse_alignment(std::string message) {
 }  // namespace
 
 Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
-                          const AlignOptions& options) {
+                          const AlignOptions& options, Diagnostics& diagnostics) {
   const SharedJoints shared = joints_in_both(reference.skeleton, motion.skeleton);
   if (shared.first.empty()) {
     return refuse_alignment("expected joints of the same names in both motions, found none");
@@ -182,8 +187,9 @@ Result<TimeMap> align_map(const Motion& motion, const Motion& reference,
   const std::size_t most = most_samples(reference.skeleton, motion.skeleton);
   const auto reference_frames = sampled_frames(reference.clip.num_frames, most);
   const auto motion_frames = sampled_frames(motion.clip.num_frames, most);
-  const auto way = align_frames(with_frames(reference, reference_frames),
-                                with_frames(motion, motion_frames), shared, options.by);
+  const auto way =
+      align_frames(with_frames(reference, reference_frames), with_frames(motion, motion_frames),
+                   shared, options.by, diagnostics);
   const auto knots = rising_knots(departures(way, reference_frames, motion_frames),
                                   reference_frames, number(motion_frames.back()));
   map.old_frames = frames_through(knots, reference.clip.num_frames);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinefile/kinematics.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/retime.hpp"
 #include "retime/feet.hpp"
 
@@ -18,24 +18,21 @@ constexpr double kGroundShare = 0.02;  // the fraction of frames in which a foot
                                        // below ground level
 constexpr double kPersonHeight = 1.7;  // metres
 
-/// The length of a unit in metres: that of the skeleton, or one with which the rest pose has a
-/// person's height.
-double metres_per_unit(const Skeleton& skeleton, std::size_t up, Diagnostics& diagnostics) {
-  if (skeleton.metres_per_unit > 0) return skeleton.metres_per_unit;
-  const Box box = world_extent(skeleton, rest_clip(skeleton));
-  const auto axis = static_cast<Eigen::Index>(up);
-  const double height = box.max[axis] - box.min[axis];
+/// The length of a unit in metres: that of the skeleton, or one with which the figure stands as
+/// high as a person.
+double metres_per_unit(const Motion& motion, std::size_t up, Diagnostics& diagnostics) {
+  if (motion.skeleton.metres_per_unit > 0) return motion.skeleton.metres_per_unit;
+  const double height = standing_height(motion, up);
   if (!(height > 0)) {
     diagnostics.add(Severity::Note, "RTM006",
-                    "the motion has no unit of length, and its rest pose no height; its unit is "
-                    "taken to be the metre");
+                    "the motion has no unit of length, and the figure no height; its unit is "
+                    "taken to be the metre (--unit-in says otherwise)");
     return 1;
   }
-  diagnostics.add(
-      Severity::Note, "RTM006",
-      fmt::format(
-          "the motion has no unit of length; its rest pose, {:.6g} units high, is taken to be {} m",
-          height, kPersonHeight));
+  diagnostics.add(Severity::Note, "RTM006",
+                  fmt::format("the motion has no unit of length; the figure, which stands {:.6g} "
+                              "units high, is taken to be {} m tall (--unit-in says otherwise)",
+                              height, kPersonHeight));
   return kPersonHeight / height;
 }
 
@@ -95,8 +92,8 @@ Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& d
                            "ball), found none"));
   }
   const FootTracks tracks = track_feet(motion, points);
-  const std::size_t up = guess_up_axis(motion);
-  const double metres = metres_per_unit(motion.skeleton, up, diagnostics);
+  const std::size_t up = settle_up_axis(motion, diagnostics);
+  const double metres = metres_per_unit(motion, up, diagnostics);
   std::vector<double> weights(motion.clip.num_frames, 0.0);
   for (const auto& track : tracks.positions) {
     mark_contacts(track, motion.clip.timeline, static_cast<Eigen::Index>(up), metres, weights);

@@ -3,26 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "base/words.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinematics/limbs.hpp"
 
 namespace kinefile::retime {
-namespace {
-
-bool is_called_foot(const std::string& name) {
-  const std::string lower = lowered(name);
-  const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
-  const bool is_ball = has("ball") && !has("eye");
-  return has("foot") || has("toe") || has("ankle") || is_ball || has("\u8db3");
-}
-
-Vec3 point_at(std::span<const double> points, std::size_t index) {
-  return {points[index * 3], points[index * 3 + 1], points[index * 3 + 2]};
-}
-
-}  // namespace
 
 std::vector<FootPoint> find_foot_points(const Skeleton& skeleton) {
   const std::size_t num_joints = skeleton.joints.size();
@@ -54,9 +39,8 @@ FootTracks track_feet(const Motion& motion, const std::vector<FootPoint>& points
     const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, options);
     for (std::size_t row = 0; row < poses.num_frames; ++row) {
       for (std::size_t p = 0; p < points.size(); ++p) {
-        const Vec3 position =
-            points[p].is_tip ? point_at(poses.tips, row * poses.num_tips + points[p].tip)
-                             : point_at(poses.positions, row * poses.num_joints + points[p].joint);
+        const Vec3 position = points[p].is_tip ? tip_position(poses, row, points[p].tip)
+                                               : joint_position(poses, row, points[p].joint);
         tracks.positions[p].push_back(position);
       }
     }

@@ -22,10 +22,10 @@ void append_joints(std::span<const double> all, const PoseArrays& poses, std::si
   }
 }
 
-/// Rotates the axis that points up to y.
-void stand_up(std::vector<double>& points) {
+/// Rotates the axis that points up, which is not y, to y.
+void stand_up(std::size_t up, std::vector<double>& points) {
   for (std::size_t p = 0; p < points.size(); p += 3) {
-    points[p + 2] = -std::exchange(points[p + 1], points[p + 2]);
+    points[p + up] = -std::exchange(points[p + 1], points[p + up]);
   }
 }
 
@@ -64,7 +64,7 @@ FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t
 }
 
 FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints,
-                             double scale) {
+                             double scale, std::size_t up) {
   FramePoints frames{joints.size(), {}, {}};
   KinematicsOptions options;
   options.num_frames = frames_per_block(motion.skeleton);
@@ -73,7 +73,7 @@ FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t
     append_joints(poses.positions, poses, 3, joints, frames.points);
   }
   for (double& number : frames.points) number *= scale;
-  if (guess_up_axis(motion) == 2) stand_up(frames.points);
+  if (up != 1) stand_up(up, frames.points);
   for (std::size_t frame = 0; frame < motion.clip.num_frames; ++frame) {
     double* points = frames.points.data() + frame * joints.size() * 3;
     frames.spreads.push_back(centre_on_ground(points, joints.size()));

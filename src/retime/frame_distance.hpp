@@ -24,8 +24,9 @@ struct FramePoints {
 /// \param joints  the joints to use, in this order
 FrameAngles angles_of_frames(const Motion& motion, const std::vector<std::size_t>& joints);
 /// \param scale  the factor for all lengths
+/// \param up     the axis that points up in the motion
 FramePoints points_of_frames(const Motion& motion, const std::vector<std::size_t>& joints,
-                             double scale);
+                             double scale, std::size_t up);
 
 /// The sum of the squared angles, in radians, between the joints of two frames; 0 for equal ones.
 double distance(const FrameAngles& a, std::size_t frame_a, const FrameAngles& b,

@@ -87,6 +87,7 @@ Motion motion_of_component(const Component& component) {
   Skeleton& skeleton = motion.skeleton;
   skeleton.angle_unit = AngleUnit::Radians;
   skeleton.metres_per_unit = 1;
+  skeleton.up = 2;
   for (std::size_t part = 0; part < component.num_parts; ++part) {
     skeleton.joints.emplace_back().name = part_name(component, part);
     if (component.kind == ComponentKind::Poses) {
@@ -125,6 +126,7 @@ Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) 
   if (parts.empty()) return all;
   all.skeleton.angle_unit = AngleUnit::Radians;
   all.skeleton.metres_per_unit = 1;
+  all.skeleton.up = 2;
   all.clip.timeline = main->timeline;
   all.clip.num_frames = main->num_frames;
   for (const Motion& part : parts) append_parts(part.skeleton, all.skeleton);

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 
 #include "base/words.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/robot.hpp"
 #include "kinematics/joint_columns.hpp"
@@ -21,6 +23,8 @@ namespace {
 
 /// The largest residual rotation of a robot's joints without a warning, in degrees.
 constexpr double kReportedDegrees = 1e-4;
+/// The largest one with which the robot still does what the figure does.
+constexpr double kMostDegrees = 30;
 
 /// A link of the robot that follows a joint of the figure, and the links that rotate it: those
 /// after the nearest ancestor that also follows a joint.
@@ -43,6 +47,7 @@ struct Follower {
 struct Block {
   FrameBatch frames;
   WorldPoses figure;
+  Quat heading;                          ///< turns the figure to face as the robot does
   std::vector<std::vector<Quat>> links;  ///< [link][frame of the block]
 };
 
@@ -134,7 +139,8 @@ Quat rotation_at(const PoseArrays& poses, std::size_t row, std::size_t joint) {
 /// The world rotation of a link that has the same rotation relative to its rest pose as the
 /// figure's joint.
 Quat aim_of(const Follower& follower, const Block& block, std::size_t frame) {
-  return rotation_at(block.figure, frame, follower.source) * follower.joint_from_link;
+  return block.heading * rotation_at(block.figure, frame, follower.source) *
+         follower.joint_from_link;
 }
 
 /// Moves the root as the figure's joint moves.
@@ -143,9 +149,9 @@ void move_root(const Follower& root, double length_scale, const Rows& rows, Bloc
                Quat& before) {
   for (std::size_t f = 0; f < block.frames.count; ++f) {
     const std::span<double> row = rows[block.frames.first + f];
-    const double* p =
-        block.figure.positions.data() + (f * block.figure.num_joints + root.source) * 3;
-    for (std::size_t k = 0; k < 3; ++k) row[k] = p[k] * length_scale;
+    const Vec3 place(&block.figure.positions[(f * block.figure.num_joints + root.source) * 3]);
+    const Vec3 turned = block.heading * place * length_scale;
+    std::copy(turned.begin(), turned.end(), row.begin());
     before = on_side_of(aim_of(root, block, f), before);
     block.links[0][f] = before;
     const double q[] = {before.w(), before.x(), before.y(), before.z()};
@@ -190,6 +196,50 @@ void measure_residual(Follower& follower, const Block& block) {
   }
 }
 
+/// The angle between two directions on the ground, counter-clockwise from above, in degrees. At
+/// rest, figures face along an axis but for their own asymmetry, which is left out.
+double degrees_between(const Vec3& from, const Vec3& to) {
+  constexpr double kAsymmetry = 20;
+  const double degrees =
+      std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)) / kRadiansPerDegree;
+  const double quarters = 90 * std::round(degrees / 90);
+  return std::abs(degrees - quarters) < kAsymmetry ? quarters : degrees;
+}
+
+/// The rotation about z that turns the figure at rest to face as the robot does at rest.
+Quat heading_of(const Skeleton& figure, const Skeleton& robot, Diagnostics& diagnostics) {
+  constexpr std::size_t kZ = 2;
+  const Facing from = find_facing({figure, {}}, kZ);
+  if (!from.direction) return Quat::Identity();
+  const Vec3 to = find_facing({robot, {}}, kZ).direction.value_or(Vec3::UnitX());
+  const double degrees = degrees_between(*from.direction, to);
+  if (degrees == 0) return Quat::Identity();
+  diagnostics.add(Severity::Note, "BRG018",
+                  fmt::format("the figure is turned by {:.4g} degrees about z, so that it faces as "
+                              "the robot does",
+                              degrees));
+  return Quat(Eigen::AngleAxisd(degrees * kRadiansPerDegree, Vec3::UnitZ()));
+}
+
+/// Refuses a motion of which a robot cannot do a large part.
+Result<void> expect_reachable(const std::vector<Follower>& followers, const Skeleton& figure,
+                              const Skeleton& robot) {
+  std::vector<std::string> lost;
+  double most = 0;
+  for (const Follower& follower : followers) {
+    const double degrees = follower.largest_residual / kRadiansPerDegree;
+    most = std::max(most, degrees);
+    if (degrees <= kMostDegrees) continue;
+    lost.push_back(fmt::format("{} ({})", robot.joints[follower.link].name,
+                               figure.joints[follower.source].name));
+  }
+  if (lost.empty()) return {};
+  return fail(ErrorKind::DataLoss, "BRG019",
+              fmt::format("the robot cannot do what the figure does: up to {:.3g} degrees would be "
+                          "lost in {}; --lenient goes on",
+                          most, listed(lost)));
+}
+
 void report_residuals(const std::vector<Follower>& followers, const Motion& motion,
                       const Skeleton& robot, Diagnostics& diagnostics) {
   const std::vector<std::size_t> leaders = leaders_of_columns(robot);
@@ -219,7 +269,7 @@ void report_residuals(const std::vector<Follower>& followers, const Motion& moti
 
 /// The root, then the other links that follow a joint of the figure.
 std::vector<Follower> followers_of(const Skeleton& figure, const Skeleton& robot,
-                                   const RobotNames& names) {
+                                   const RobotNames& names, const Quat& heading) {
   const std::vector<std::size_t> sources = sources_of(figure, robot, names);
   const std::vector<std::size_t> leaders = leaders_of_columns(robot);
   const Clip rest = rest_clip(robot);
@@ -232,8 +282,8 @@ std::vector<Follower> followers_of(const Skeleton& figure, const Skeleton& robot
     if (sources[j] == kNoParent) continue;
     Follower& follower =
         followers.emplace_back(follower_of(j, sources[j], robot, leaders, is_settled));
-    follower.joint_from_link =
-        rotation_at(figure_poses, 0, sources[j]).conjugate() * rotation_at(robot_poses, 0, j);
+    follower.joint_from_link = (heading * rotation_at(figure_poses, 0, sources[j])).conjugate() *
+                               rotation_at(robot_poses, 0, j);
     follower.fitter = fitter_of(follower, robot, rest.row(0));
   }
   return followers;
@@ -242,13 +292,14 @@ std::vector<Follower> followers_of(const Skeleton& figure, const Skeleton& robot
 }  // namespace
 
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
-                              Diagnostics& diagnostics) {
+                              bool lenient, Diagnostics& diagnostics) {
   if (!is_robot(robot)) {
     return fail(make_error(ErrorKind::Usage, "BRG012",
                            "expected the skeleton of a robot, whose root moves freely and whose "
                            "joints move in one way each"));
   }
-  std::vector<Follower> followers = followers_of(motion.skeleton, robot, names);
+  const Quat heading = heading_of(motion.skeleton, robot, diagnostics);
+  std::vector<Follower> followers = followers_of(motion.skeleton, robot, names, heading);
   if (followers.size() < 2) {
     return fail(make_error(ErrorKind::Usage, "BRG016",
                            "expected joints that are called like the robot's links or joints, "
@@ -270,6 +321,7 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
         forward_kinematics(
             motion.skeleton, motion.clip,
             {.first_frame = frames.first, .num_frames = frames.count, .rotations = true}),
+        heading,
         std::vector(robot.joints.size(), std::vector<Quat>(frames.count, Quat::Identity()))};
     move_root(followers.front(), scale, rows, block, root);
     for (Follower& follower : std::span(followers).subspan(1)) {
@@ -283,6 +335,11 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
     }
   }
   report_residuals(followers, motion, robot, diagnostics);
+  if (!lenient) {
+    if (auto done = expect_reachable(followers, motion.skeleton, robot); !done) {
+      return fail(std::move(done.error()));
+    }
+  }
   return project(moved, BodyForm::Joints, nullptr, diagnostics);
 }
 

@@ -354,6 +354,7 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
   builder.result.skeleton.name = motion.skeleton.name;
   builder.result.skeleton.angle_unit = motion.skeleton.angle_unit;
   builder.result.skeleton.metres_per_unit = motion.skeleton.metres_per_unit;
+  builder.result.skeleton.up = motion.skeleton.up;
   for (const Joint& joint : motion.skeleton.joints) {
     builder.names_of_joints.insert(lowered(as_bone_name(joint.name)));
   }

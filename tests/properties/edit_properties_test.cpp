@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/retime.hpp"
 #include "kinefile/shape.hpp"
@@ -65,13 +66,13 @@ TEST(EditProperties, CutsAndJoinsKeepEveryBit) {
     const auto begin = edit::trim(motion, 0, cut);
     const auto end = edit::trim(motion, cut, motion.clip.num_frames);
     ASSERT_TRUE(begin && end);
-    const auto joined = edit::append(*begin, *end, 0);
+    const auto joined = edit::append(*begin, *end, 0, test::ignored());
     ASSERT_TRUE(joined);
     EXPECT_TRUE(same_bits(joined->clip.values, motion.clip.values));
     EXPECT_TRUE(same_skeleton(joined->skeleton, motion.skeleton));
     const Motion back = edit::reverse(edit::reverse(motion));
     EXPECT_TRUE(same_bits(back.clip.values, motion.clip.values));
-    const auto twice = edit::loop(motion, 2, 0);
+    const auto twice = edit::loop(motion, 2, 0, test::ignored());
     ASSERT_TRUE(twice);
     const auto second = edit::trim(*twice, motion.clip.num_frames, 2 * motion.clip.num_frames);
     ASSERT_TRUE(second);
@@ -92,6 +93,18 @@ TEST(EditProperties, ReverseShowsTheFramesBackwards) {
   }
 }
 
+/// The joint that carries each joint over the ground (see `find_travellers`); kNoParent above them.
+std::vector<std::size_t> carriers_of(const Motion& motion) {
+  const auto travellers = find_travellers(motion);
+  std::vector<std::size_t> carriers;
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    const std::size_t parent = motion.skeleton.joints[j].parent;
+    const bool travels = std::find(travellers.begin(), travellers.end(), j) != travellers.end();
+    carriers.push_back(travels ? j : parent == kNoParent ? kNoParent : carriers[parent]);
+  }
+  return carriers;
+}
+
 TEST(EditProperties, BlendedJoinsKeepTheFramesOutsideAndHowTheFigureMoves) {
   RandomSource random(303);
   int num_moved = 0;
@@ -102,7 +115,7 @@ TEST(EditProperties, BlendedJoinsKeepTheFramesOutsideAndHowTheFigureMoves) {
     const ExpectUnchanged unchanged(motion);
     const std::size_t count = motion.clip.num_frames;
     const std::size_t blended = 1 + random_below(random, count / 2);
-    const auto looped = edit::loop(motion, 2, blended);
+    const auto looped = edit::loop(motion, 2, blended, test::ignored());
     ASSERT_TRUE(looped);
     ASSERT_EQ(looped->clip.num_frames, 2 * count - blended);
     for (std::size_t f = 0; f + blended < count; ++f) {
@@ -116,9 +129,11 @@ TEST(EditProperties, BlendedJoinsKeepTheFramesOutsideAndHowTheFigureMoves) {
     const auto new_places = places_of(*rest);
     const std::size_t num_joints = motion.skeleton.joints.size();
     const double size = world_size(*looped);
+    const auto carriers = carriers_of(motion);
     ASSERT_EQ(old_places.size(), new_places.size());
     for (std::size_t k = 0; k < old_places.size(); ++k) {
-      const std::size_t root = k - k % num_joints;
+      const std::size_t root = k - k % num_joints + carriers[k % num_joints];
+      if (carriers[k % num_joints] == kNoParent) continue;
       const double old_distance = (old_places[k] - old_places[root]).norm();
       EXPECT_NEAR((new_places[k] - new_places[root]).norm(), old_distance, 1e-9 * size) << i;
     }
@@ -148,14 +163,13 @@ TEST(EditProperties, ScaleScalesTheWorld) {
 TEST(EditProperties, AnotherAxisUpTurnsTheWorldByAQuarterAndBackToTheSameBits) {
   RandomSource random(305);
   int num_turned = 0;
-  int num_back = 0;
   for (int i = 0; i < 200; ++i) {
     const Motion motion = any_motion(random, i);
     const ExpectUnchanged unchanged(motion);
-    const std::size_t old_axis = guess_up_axis(motion);
+    const std::size_t old_axis = find_up_axis(motion).axis;
     Diagnostics diagnostics;
     const Motion turned = edit::up(motion, 3 - old_axis, diagnostics);
-    EXPECT_TRUE(diagnostics.items().empty());
+    EXPECT_EQ(diagnostics.count_of("MOT005", Severity::Note), diagnostics.items().size());
     EXPECT_TRUE(validate(turned.skeleton));
     const double sign = old_axis == 1 ? 1 : -1;
     const double largest =
@@ -164,13 +178,10 @@ TEST(EditProperties, AnotherAxisUpTurnsTheWorldByAQuarterAndBackToTheSameBits) {
     EXPECT_LT(largest, kSameEditedPlace * world_size(motion)) << i;
     ++num_turned;
     const Motion back = edit::up(turned, old_axis, diagnostics);
-    if (!diagnostics.items().empty()) continue;  // in doubt, y is up
-    ++num_back;
     EXPECT_TRUE(same_skeleton(back.skeleton, motion.skeleton)) << i;
     EXPECT_TRUE(same_bits(back.clip.values, motion.clip.values)) << i;
   }
   EXPECT_EQ(num_turned, 200);
-  EXPECT_GT(num_back, 60);
 }
 
 TEST(EditProperties, InPlaceHoldsRootsOverTheGroundAndLeavesTheFigureAlone) {
@@ -181,23 +192,22 @@ TEST(EditProperties, InPlaceHoldsRootsOverTheGroundAndLeavesTheFigureAlone) {
         i % 3 == 0 ? random_bones(random)
                    : random_motion(random, {.free_joints = i % 2 == 0, .shared_columns = false});
     const ExpectUnchanged unchanged(motion);
-    const Motion held = edit::in_place(motion);
+    const Motion held = edit::in_place(motion, test::ignored());
     EXPECT_TRUE(same_skeleton(held.skeleton, motion.skeleton));
-    const auto up = static_cast<Eigen::Index>(guess_up_axis(motion));
+    const auto up = static_cast<Eigen::Index>(find_up_axis(motion).axis);
     const auto old_places = places_of(motion);
     const auto new_places = places_of(held);
     const std::size_t num_joints = motion.skeleton.joints.size();
     const double tolerance = kSameEditedPlace * world_size(motion);
+    const auto carriers = carriers_of(motion);
     for (std::size_t j = 0; j < num_joints; ++j) {
       const Joint& joint = motion.skeleton.joints[j];
       std::size_t num_translations = moves_freely(joint) ? 3 : 0;
       for (const DegreeOfFreedom& dof : joint.dofs) {
         num_translations += dof.kind == DofKind::Translation ? 1 : 0;
       }
-      std::size_t root = j;
-      while (motion.skeleton.joints[root].parent != kNoParent) {
-        root = motion.skeleton.joints[root].parent;
-      }
+      const std::size_t root = carriers[j];
+      if (root == kNoParent) continue;
       const bool is_root = root == j;
       num_held += is_root && num_translations == 3 ? 1 : 0;
       for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
@@ -275,7 +285,7 @@ TEST(EditProperties, UnwrapKeepsTheWorldAndSmoothWhatIsStill) {
     expect_world(motion, edit::unwrap(motion), i);
     const auto first = edit::trim(motion, 0, 1);
     ASSERT_TRUE(first);
-    const auto still = edit::loop(*first, 12, 0);
+    const auto still = edit::loop(*first, 12, 0, test::ignored());
     ASSERT_TRUE(still);
     const auto smooth = edit::smooth(*still, 6);
     ASSERT_TRUE(smooth);
@@ -343,11 +353,12 @@ TEST(EditProperties, OperationsDoTheSameWhateverTheRestFrames) {
       const WorldDifference difference = world_difference(operation(motion), operation(twin));
       EXPECT_LT(difference.position, 1e-8) << name << " of skeleton " << i;
     };
-    expect_alike([](const Motion& m) { return edit::in_place(m); }, "in_place");
+    expect_alike([](const Motion& m) { return edit::in_place(m, test::ignored()); }, "in_place");
     expect_alike([](const Motion& m) { return edit::unwrap(m); }, "unwrap");
     expect_alike([](const Motion& m) { return edit::scale(m, 3); }, "scale");
     expect_alike([](const Motion& m) { return edit::smooth(m, 8).value(); }, "smooth");
-    expect_alike([](const Motion& m) { return edit::loop(m, 2, 4).value(); }, "loop");
+    expect_alike([](const Motion& m) { return edit::loop(m, 2, 4, test::ignored()).value(); },
+                 "loop");
     Diagnostics diagnostics;
     expect_alike([&](const Motion& m) { return edit::up(m, 2, diagnostics); }, "up");
     expect_alike(

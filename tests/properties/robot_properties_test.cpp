@@ -108,7 +108,7 @@ TEST(RobotProperties, ARobotFollowsItself) {
     }
     repeat_following(motion);
     Diagnostics diagnostics;
-    const auto body = robot::onto_robot(motion, motion.skeleton, {}, diagnostics);
+    const auto body = robot::onto_robot(motion, motion.skeleton, {}, true, diagnostics);
     ASSERT_TRUE(body);
     EXPECT_EQ(count_code(diagnostics, "BRG015"), is_told ? 1u : 0u) << text_of(diagnostics);
     const auto back = robot::pose(*body, motion.skeleton, false, diagnostics);
@@ -173,7 +173,7 @@ TEST(RobotProperties, LinksThatNothingMovesKeepTheirRestAngles) {
     Motion figure = robot;
     for (std::size_t j = 1; j < 5; ++j) figure.skeleton.joints[j].name = fmt::format("bone{}", j);
     Diagnostics diagnostics;
-    const auto body = robot::onto_robot(figure, robot.skeleton, {}, diagnostics);
+    const auto body = robot::onto_robot(figure, robot.skeleton, {}, true, diagnostics);
     ASSERT_TRUE(body);
     const auto back = robot::pose(*body, robot.skeleton, false, diagnostics);
     ASSERT_TRUE(back);

@@ -60,6 +60,11 @@ std::string fact_of(const Document& document, std::string_view key) {
   return "none";
 }
 
+Diagnostics& ignored() {
+  static Diagnostics diagnostics;
+  return diagnostics;
+}
+
 std::vector<std::string> codes_of(const Diagnostics& diagnostics) {
   std::vector<std::string> codes;
   for (const Diagnostic& item : diagnostics.items()) codes.push_back(item.code);

@@ -40,6 +40,9 @@ std::string fact_of(const Document& document, std::string_view key);
 /// The codes of the diagnostics, in order.
 std::vector<std::string> codes_of(const Diagnostics& diagnostics);
 
+/// Diagnostics that no test looks at.
+Diagnostics& ignored();
+
 /// The bytes of a file; fails the test if there is none.
 std::string bytes_of(const std::string& path);
 

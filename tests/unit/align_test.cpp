@@ -17,7 +17,7 @@ constexpr retime::AlignOptions::By kWays[] = {retime::AlignOptions::By::Angles,
 
 std::vector<double> aligned(const Motion& motion, const Motion& reference,
                             retime::AlignOptions::By by) {
-  const auto map = retime::align_map(motion, reference, {by});
+  const auto map = retime::align_map(motion, reference, {by}, test::ignored());
   EXPECT_TRUE(map) << to_string(map.error());
   if (!map) return {};
   EXPECT_EQ(map->old_frames.size(), reference.clip.num_frames);
@@ -165,11 +165,11 @@ TEST(AlignMap, NeedsSharedJointsAndFrames) {
   const Motion walk = examples::make_walk({.num_frames = 10});
   Motion other = walk;
   for (Joint& joint : other.skeleton.joints) joint.name += "'";
-  auto map = retime::align_map(walk, other);
+  auto map = retime::align_map(walk, other, {}, test::ignored());
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, "RTM004");
   EXPECT_EQ(map.error().kind, ErrorKind::Usage);
-  map = retime::align_map(walk, shown_by(walk, {}));
+  map = retime::align_map(walk, shown_by(walk, {}), {}, test::ignored());
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, "RTM004");
 }

@@ -322,7 +322,7 @@ TEST(BodyBridge, ObliqueShouldersFollowExactly) {
   }
   const Skeleton robot = robot_with_oblique_shoulder();
   Diagnostics diagnostics;
-  const auto body = robot::onto_robot(figure, robot, {}, diagnostics);
+  const auto body = robot::onto_robot(figure, robot, {}, true, diagnostics);
   ASSERT_TRUE(body);
   EXPECT_EQ(diagnostics.count_of("BRG015", Severity::Warning), 0u) << text_of(diagnostics);
   const auto motion = robot::pose(*body, robot, false, diagnostics);

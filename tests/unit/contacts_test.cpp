@@ -58,12 +58,12 @@ TEST(ContactWeights, FlightKeepsItsRate) { expect_hop(weights_of(hopper(), {"RTM
 
 TEST(ContactWeights, FindsWhereUpIs) { expect_hop(weights_of(hopper(2), {"RTM006"})); }
 
-TEST(ContactWeights, TakesTheRestPoseForAPerson) {
+TEST(ContactWeights, TakesTheStandingFigureForAPerson) {
   Diagnostics diagnostics;
   EXPECT_TRUE(retime::contact_weights(hopper(1, 100), diagnostics));
   EXPECT_EQ(test::text_of(diagnostics),
-            "note[RTM006]: the motion has no unit of length; its rest pose, 170 units high, is "
-            "taken to be 1.7 m\n");
+            "note[RTM006]: the motion has no unit of length; the figure, which stands 170 units "
+            "high, is taken to be 1.7 m tall (--unit-in says otherwise)\n");
   expect_hop(weights_of(hopper(1, 0.001), {"RTM006"}));
 }
 

@@ -104,7 +104,7 @@ TEST(Fk, TheRestPoseIsOneFrame) {
 
 TEST(Fk, SaysWhatIsWrongWithTheOptions) {
   EXPECT_EQ(fk_fault({.frames = "5:11"}).message,
-            "expected --frames A:B or A:B:STEP within 0:10, found '5:11'");
+            "expected --frames N, A:B or A:B:STEP within 0:10, found '5:11'");
   EXPECT_EQ(fk_fault({.joints = {"Tail"}, .name = "a.bvh"}).message,
             "there is no joint 'Tail' in 'a.bvh'");
   Motion no_unit = examples::make_walk({.num_frames = 1});

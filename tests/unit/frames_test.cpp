@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
@@ -108,21 +109,21 @@ TEST(WithUpAxis, NotesThatTheAxisPointsUpAlready) {
 
 TEST(GuessUpAxis, TellsItFromTheMotion) {
   const Motion walk = examples::make_walk({.num_frames = 200});
-  EXPECT_EQ(guess_up_axis(walk), 1u);
-  EXPECT_EQ(guess_up_axis(upwards(walk, 2)), 2u);
+  EXPECT_EQ(find_up_axis(walk).axis, 1u);
+  EXPECT_EQ(find_up_axis(upwards(walk, 2)).axis, 2u);
 }
 
 TEST(GuessUpAxis, TellsItFromTheRestPoseWithoutFrames) {
   const Motion walk = examples::make_walk({.num_frames = 0});
-  EXPECT_EQ(guess_up_axis(walk), 1u);
-  EXPECT_EQ(guess_up_axis(upwards(walk, 2)), 2u);
+  EXPECT_EQ(find_up_axis(walk).axis, 1u);
+  EXPECT_EQ(find_up_axis(upwards(walk, 2)).axis, 2u);
 }
 
 TEST(GuessUpAxis, IsYInDoubt) {
-  EXPECT_EQ(guess_up_axis(Motion{}), 1u);
+  EXPECT_EQ(find_up_axis(Motion{}).axis, 1u);
   Motion nowhere = examples::make_walk({.num_frames = 2});
   for (double& value : nowhere.clip.values.mutate()) value = std::nan("");
-  EXPECT_EQ(guess_up_axis(nowhere), 1u);
+  EXPECT_EQ(find_up_axis(nowhere).axis, 1u);
 }
 
 TEST(Scaled, MultipliesEveryPlace) {
@@ -142,7 +143,7 @@ TEST(Scaled, MultipliesEveryPlace) {
 
 TEST(InPlace, KeepsTheRootOverItsStart) {
   const Motion walk = examples::make_walk({.num_frames = 30});
-  const Motion there = edit::in_place(walk);
+  const Motion there = edit::in_place(walk, test::ignored());
   for (std::size_t f = 0; f < 30; ++f) {
     EXPECT_EQ(there.clip.row(f)[0], walk.clip.row(0)[0]);
     EXPECT_EQ(there.clip.row(f)[1], walk.clip.row(f)[1]);
@@ -153,14 +154,14 @@ TEST(InPlace, KeepsTheRootOverItsStart) {
 
 TEST(InPlace, HoldsFreeRootsAndTurnedOnes) {
   Motion figure = odd_figure();
-  EXPECT_EQ(edit::in_place(figure).clip.row(1)[2], 3);
+  EXPECT_EQ(edit::in_place(figure, test::ignored()).clip.row(1)[2], 3);
   Joint& root = figure.skeleton.joints[0];
   root.dofs = {{DofKind::Translation, Vec3(0, 0.6, 0.8), 0, 0},
                {DofKind::Translation, Vec3(0, 0.8, -0.6), 1, 0}};
   const WorldPoses before = placed(figure);
   figure.clip.mutate()[1][0] = 5;
   const double height = placed(figure).positions[9 + 1];
-  const WorldPoses after = placed(edit::in_place(figure));
+  const WorldPoses after = placed(edit::in_place(figure, test::ignored()));
   EXPECT_NEAR(after.positions[9 + 2], before.positions[2], 1e-12);
   EXPECT_NEAR(after.positions[9 + 1], height, 1e-12);
 }
@@ -169,14 +170,14 @@ TEST(InPlace, LeavesARootThatCannotSlide) {
   Motion motion;
   motion.skeleton.joints.resize(1);
   motion.clip.num_frames = 2;
-  EXPECT_EQ(edit::in_place(motion).clip.num_frames, 2u);
+  EXPECT_EQ(edit::in_place(motion, test::ignored()).clip.num_frames, 2u);
 }
 
 TEST(InPlace, PassesOverNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 3});
   const double start = walk.clip.row(1)[2];
   walk.clip.mutate()[0][2] = std::nan("");
-  const Motion there = edit::in_place(walk);
+  const Motion there = edit::in_place(walk, test::ignored());
   EXPECT_TRUE(std::isnan(there.clip.row(0)[2]));
   EXPECT_EQ(there.clip.row(2)[2], start);
 }

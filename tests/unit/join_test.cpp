@@ -42,7 +42,7 @@ double fastest(const Motion& motion, std::size_t begin, std::size_t end) {
 TEST(Appended, KeepsEveryBit) {
   const Motion walk = examples::make_walk({.num_frames = 8});
   const Motion other = examples::make_walk({.num_frames = 3, .steps_per_second = 1});
-  const auto both = edit::append(walk, other, 0);
+  const auto both = edit::append(walk, other, 0, test::ignored());
   ASSERT_TRUE(both);
   EXPECT_EQ(both->clip.num_frames, 11u);
   Array<double> values = walk.clip.values;
@@ -54,14 +54,14 @@ TEST(Appended, GoesOnWithTheTimesOfFrames) {
   Motion first = examples::make_walk({.num_frames = 2, .frame_rate = 10});
   const Motion second = first;
   first.clip.timeline.given = FrameTimes{{1, 1.25}};
-  const auto both = edit::append(first, second, 0);
+  const auto both = edit::append(first, second, 0, test::ignored());
   ASSERT_TRUE(both);
   const Array<double>& times = own_times(both->clip.timeline);
   ASSERT_EQ(times.size(), 4u);
   EXPECT_EQ(times[1], 1.25);
   EXPECT_DOUBLE_EQ(times[2], 1.5);  // the median step of the first
   EXPECT_DOUBLE_EQ(times[3], 1.6);
-  const auto faded = edit::append(first, second, 1);
+  const auto faded = edit::append(first, second, 1, test::ignored());
   ASSERT_EQ(own_times(faded->clip.timeline).size(), 3u);
   EXPECT_DOUBLE_EQ(own_times(faded->clip.timeline)[2], 1.35);
 }
@@ -69,14 +69,14 @@ TEST(Appended, GoesOnWithTheTimesOfFrames) {
 TEST(Looped, GoesOnByTheMedianStepOfTheFramesOwnTimes) {
   Motion walk = examples::make_walk({.num_frames = 3});
   walk.clip.timeline.given = FrameTimes{{0, 0.5, 0.75}};
-  const auto twice = edit::loop(walk, 2, 0);
+  const auto twice = edit::loop(walk, 2, 0, test::ignored());
   ASSERT_TRUE(twice);
   EXPECT_EQ(own_times(twice->clip.timeline), (std::vector<double>{0, 0.5, 0.75, 1, 1.5, 1.75}));
 }
 
 TEST(Appended, FadesOneIntoTheOther) {
   const Motion walk = examples::make_walk({.num_frames = 120});
-  const auto both = edit::append(walk, walk, 30);
+  const auto both = edit::append(walk, walk, 30, test::ignored());
   ASSERT_TRUE(both);
   EXPECT_EQ(both->clip.num_frames, 210u);
   const auto first = both->clip.row(89);
@@ -95,7 +95,7 @@ TEST(Appended, TurnsTheSecondOnTheGround) {
   const Motion first = test::motion_of(test::bvh_with_rows({"5 1 0 0 0 90 0 0 0"}));
   const Motion second = test::motion_of(
       test::bvh_with_rows({"0 1 0 0 0 0 0 0 0", "0 1 2 0 0 0 0 0 0", "0 1 4 0 0 10 0 0 0"}));
-  const auto both = edit::append(first, second, 1);
+  const auto both = edit::append(first, second, 1, test::ignored());
   ASSERT_TRUE(both);
   ASSERT_EQ(both->clip.num_frames, 3u);
   EXPECT_LT((root_at(*both, 0) - Vec3(5, 1, 0)).norm(), 1e-12);
@@ -106,7 +106,8 @@ TEST(Appended, TurnsTheSecondOnTheGround) {
 
 TEST(Appended, SlerpsHalfway) {
   const auto rows = [](const char* a) { return test::motion_of(test::bvh_with_rows({a})); };
-  const auto both = edit::append(rows("0 0 0 0 0 0 80 0 0"), rows("0 0 0 0 0 0 0 60 0"), 1);
+  const auto both =
+      edit::append(rows("0 0 0 0 0 0 80 0 0"), rows("0 0 0 0 0 0 0 60 0"), 1, test::ignored());
   ASSERT_TRUE(both);
   const auto rotations = rotations_of(both->skeleton.joints[1]);
   const Quat half = slerp(Quat(Eigen::AngleAxisd(80 * kRadiansPerDegree, Vec3::UnitZ())),
@@ -119,49 +120,50 @@ TEST(Appended, RefusesOtherSkeletonsAndTellsTheFirstDifference) {
   const Motion walk = examples::make_walk({.num_frames = 2});
   Motion other = walk;
   other.skeleton.joints[3].name = "Thorax";
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)),
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
             "the skeletons differ: joint 'Chest' is called 'Thorax' there");
   other = walk;
   other.skeleton.joints[4].offset[1] += 0.01;
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)),
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
             "the skeletons differ: joint 'Neck' has another offset");
   other.skeleton.joints[4].offset[1] -= 0.01 - 1e-5;
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)), "");
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())), "");
   other = walk;
   other.skeleton.joints[0].dofs[0].rest = 7;
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)), "");
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())), "");
   other.skeleton.joints[5].dofs.pop_back();
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)),
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
             "the skeletons differ: joint 'Head' moves in other ways");
   other = walk;
   other.skeleton.coordinates[0].channel = "x";
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0)), "the skeletons differ: their columns differ");
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
+            "the skeletons differ: their columns differ");
 }
 
 TEST(Appended, RefusesOtherRatesAndTooLongFades) {
   const Motion walk = examples::make_walk({.num_frames = 5, .frame_rate = 50});
   const Motion slow = examples::make_walk({.num_frames = 9, .frame_rate = 25});
-  EXPECT_EQ(refusal_of(edit::append(walk, slow, 0)),
+  EXPECT_EQ(refusal_of(edit::append(walk, slow, 0, test::ignored())),
             "the frame rates differ: 50 and 25 frames a second");
-  EXPECT_EQ(refusal_of(edit::append(walk, walk, 6)),
+  EXPECT_EQ(refusal_of(edit::append(walk, walk, 6, test::ignored())),
             "6 frames cannot be blended where a motion has 5");
 }
 
 TEST(Looped, KeepsEveryBit) {
   const Motion walk = examples::make_walk({.num_frames = 4});
-  const auto thrice = edit::loop(walk, 3, 0);
+  const auto thrice = edit::loop(walk, 3, 0, test::ignored());
   ASSERT_TRUE(thrice);
   EXPECT_EQ(thrice->clip.num_frames, 12u);
   for (std::size_t f = 0; f < 12; ++f) {
     const auto row = thrice->clip.row(f);
     EXPECT_TRUE(std::equal(row.begin(), row.end(), walk.clip.row(f % 4).begin()));
   }
-  EXPECT_EQ(edit::loop(walk, 1, 0)->clip.values, walk.clip.values);
+  EXPECT_EQ(edit::loop(walk, 1, 0, test::ignored())->clip.values, walk.clip.values);
 }
 
 TEST(Looped, WalksOnWhenBlended) {
   const Motion walk = examples::make_walk({.num_frames = 120});
-  const auto far = edit::loop(walk, 4, 20);
+  const auto far = edit::loop(walk, 4, 20, test::ignored());
   ASSERT_TRUE(far);
   EXPECT_EQ(far->clip.num_frames, 420u);
   EXPECT_LT(fastest(*far, 0, 420), 2 * fastest(walk, 0, 120));
@@ -173,7 +175,7 @@ TEST(Looped, AnglesThatAreWholeTurnsApartAtTheSeamDoNotJump) {
     const auto row = walk.clip.mutate()[f];
     for (std::size_t c = 3; c < row.size(); ++c) row[c] += 360 * static_cast<double>(f) / 59;
   }
-  const auto twice = edit::loop(walk, 2, 10);
+  const auto twice = edit::loop(walk, 2, 10, test::ignored());
   ASSERT_TRUE(twice);
   double largest = 0;
   for (std::size_t f = 1; f < twice->clip.num_frames; ++f) {
@@ -186,26 +188,31 @@ TEST(Looped, AnglesThatAreWholeTurnsApartAtTheSeamDoNotJump) {
 
 TEST(Looped, RefusesNoneAndTooMany) {
   const Motion walk = examples::make_walk({.num_frames = 4});
-  EXPECT_EQ(refusal_of(edit::loop(walk, 0, 0)), "a motion cannot be played 0 times");
-  EXPECT_EQ(refusal_of(edit::loop(walk, std::numeric_limits<std::size_t>::max(), 0)),
-            "the motion would have more than 2^30 values");
-  EXPECT_EQ(refusal_of(edit::loop(walk, 2, 5)), "5 frames cannot be blended where a motion has 4");
+  EXPECT_EQ(refusal_of(edit::loop(walk, 0, 0, test::ignored())),
+            "a motion cannot be played 0 times");
+  EXPECT_EQ(
+      refusal_of(edit::loop(walk, std::numeric_limits<std::size_t>::max(), 0, test::ignored())),
+      "the motion would have more than 2^30 values");
+  EXPECT_EQ(refusal_of(edit::loop(walk, 2, 5, test::ignored())),
+            "5 frames cannot be blended where a motion has 4");
 }
 
 TEST(Looped, NeedsNoFramesAndNoColumns) {
-  EXPECT_EQ(edit::loop(examples::make_walk({.num_frames = 0}), 1000000000, 0)->clip.num_frames, 0u);
+  EXPECT_EQ(edit::loop(examples::make_walk({.num_frames = 0}), 1000000000, 0, test::ignored())
+                ->clip.num_frames,
+            0u);
   Motion still;
   still.skeleton.joints.resize(1);
   still.clip.num_frames = 2;
-  EXPECT_EQ(edit::loop(still, 3, 1)->clip.num_frames, 4u);
+  EXPECT_EQ(edit::loop(still, 3, 1, test::ignored())->clip.num_frames, 4u);
 }
 
 TEST(Looped, OneFrameAndNumbersThatAreNotFinite) {
   Motion walk = examples::make_walk({.num_frames = 1});
-  EXPECT_EQ(edit::loop(walk, 3, 1)->clip.num_frames, 1u);
+  EXPECT_EQ(edit::loop(walk, 3, 1, test::ignored())->clip.num_frames, 1u);
   walk.clip.mutate()[0][5] = std::nan("");
-  EXPECT_EQ(edit::loop(walk, 3, 1)->clip.num_frames, 1u);
-  EXPECT_EQ(edit::loop(walk, 3, 0)->clip.num_frames, 3u);
+  EXPECT_EQ(edit::loop(walk, 3, 1, test::ignored())->clip.num_frames, 1u);
+  EXPECT_EQ(edit::loop(walk, 3, 0, test::ignored())->clip.num_frames, 3u);
 }
 
 }  // namespace

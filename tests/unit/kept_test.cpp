@@ -78,7 +78,8 @@ TEST(KeptOfJoints, StaysWithARenamedOne) {
 
 TEST(KeptOfJoints, StaysThroughAppendingAndMirroring) {
   Diagnostics diagnostics;
-  const auto twice = edit::append(labelled_walk(), examples::make_walk({.num_frames = 4}), 0);
+  const auto twice =
+      edit::append(labelled_walk(), examples::make_walk({.num_frames = 4}), 0, test::ignored());
   ASSERT_TRUE(twice);
   expect_labels_of_names(twice->skeleton);
   const auto mirrored = edit::mirror(labelled_walk(), 0, false, diagnostics);

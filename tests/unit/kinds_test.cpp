@@ -132,15 +132,14 @@ std::vector<std::pair<const char*, std::function<void(const Motion&)>>> motion_o
       {"trim", [](const Motion& m) { (void)edit::trim(m, 0, 1); }},
       {"reverse", [](const Motion& m) { (void)edit::reverse(m); }},
       {"mirror", [](const Motion& m) { (void)edit::mirror(m, 0, true, diagnostics); }},
-      {"guess_mirror_axis", [](const Motion& m) { (void)edit::guess_mirror_axis(m.skeleton); }},
       {"scale", [](const Motion& m) { (void)edit::scale(m, 2); }},
       {"up", [](const Motion& m) { (void)edit::up(m, 2, diagnostics); }},
-      {"in_place", [](const Motion& m) { (void)edit::in_place(m); }},
-      {"loop", [](const Motion& m) { (void)edit::loop(m, 2, 1); }},
+      {"in_place", [](const Motion& m) { (void)edit::in_place(m, test::ignored()); }},
+      {"loop", [](const Motion& m) { (void)edit::loop(m, 2, 1, test::ignored()); }},
       {"append",
        [walk](const Motion& m) {
-         (void)edit::append(m, m, 1);
-         (void)edit::append(m, *walk, 0);
+         (void)edit::append(m, m, 1, test::ignored());
+         (void)edit::append(m, *walk, 0, test::ignored());
        }},
       {"joints",
        [](const Motion& m) {
@@ -149,7 +148,8 @@ std::vector<std::pair<const char*, std::function<void(const Motion&)>>> motion_o
       {"smooth", [](const Motion& m) { (void)edit::smooth(m, 5); }},
       {"unwrap", [](const Motion& m) { (void)edit::unwrap(m); }},
       {"contacts", [](const Motion& m) { (void)retime::contact_weights(m, diagnostics); }},
-      {"align", [walk](const Motion& m) { (void)retime::align_map(m, *walk, {}); }},
+      {"align",
+       [walk](const Motion& m) { (void)retime::align_map(m, *walk, {}, test::ignored()); }},
       {"resample",
        [](const Motion& m) {
          const auto map = retime::resample_map(m.clip, 50);
@@ -177,8 +177,8 @@ std::vector<std::pair<const char*, std::function<void(const Motion&)>>> motion_o
        }},
       {"onto_robot",
        [walk](const Motion& m) {
-         (void)robot::onto_robot(*walk, m.skeleton, {}, diagnostics);
-         (void)robot::onto_robot(m, m.skeleton, {}, diagnostics);
+         (void)robot::onto_robot(*walk, m.skeleton, {}, true, diagnostics);
+         (void)robot::onto_robot(m, m.skeleton, {}, true, diagnostics);
        }},
       {"without_free", [](const Motion& m) { (void)robot::without_free_joints(m); }},
   };

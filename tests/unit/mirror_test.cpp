@@ -7,7 +7,9 @@
 #include "kinefile/bvh.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
+#include "support/figures.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -74,7 +76,8 @@ TEST(Mirrored, TwiceIsTheSameMotionBitForBit) {
 }
 
 TEST(Mirrored, AlongZTurnsTheOtherWay) {
-  const Motion pair = star({{"front", {0, 0, 4}}, {"back", {0, 0, -4}}});
+  Motion pair = star({{"front", {0, 0, 4}}, {"back", {0, 0, -4}}});
+  pair.skeleton.up = 1;
   const Motion image = in_mirror(pair, 2);
   EXPECT_LT((place_of(image, 0, "front") - across(place_of(pair, 0, "back"), 2)).norm(), 1e-12);
   EXPECT_EQ(in_mirror(image, 2).clip.values, pair.clip.values);
@@ -271,12 +274,84 @@ TEST(Mirrored, NeedsNoFramesAndNoColumns) {
   EXPECT_EQ(in_mirror(still).clip.num_frames, 2u);
 }
 
-TEST(GuessMirrorAxis, IsWhereTheNamedHalvesLieApart) {
-  EXPECT_EQ(edit::guess_mirror_axis(examples::make_walk({.num_frames = 1}).skeleton), 0u);
-  EXPECT_EQ(edit::guess_mirror_axis(star({{"left", {0, 1, 4}}, {"right", {0, 0, -4}}}).skeleton),
-            2u);
-  EXPECT_EQ(edit::guess_mirror_axis(star({{"a", {0, 1, 4}}, {"b", {0, 0, -4}}}).skeleton), 0u);
-  EXPECT_EQ(edit::guess_mirror_axis(Skeleton{}), 0u);
+Vec3 tip_of(const Motion& motion, std::size_t frame, std::size_t tip) {
+  const WorldPoses poses = forward_kinematics(motion.skeleton, motion.clip, {.tips = true});
+  return Vec3(&poses.tips[(frame * poses.num_tips + tip) * 3]);
+}
+
+TEST(Mirrored, LiesBetweenHalvesThatHaveNoNames) {
+  Motion pair = star({{"a", {0, 1, 4}}, {"b", {0, 1, -4}}});
+  pair.skeleton.up = 1;
+  const auto image = edit::mirror(pair, std::nullopt, false, test::ignored());
+  ASSERT_TRUE(image);
+  EXPECT_LT((place_of(*image, 0, "a") - across(place_of(pair, 0, "b"), 2)).norm(), 1e-12);
+}
+
+TEST(Mirrored, StandsInTheWorldWhateverTheRestPose) {
+  // At rest the spine is along x, and left and right are apart along y.
+  const std::vector<test::Bone> bones = {{"Hips", 0, {0, 0, 0}},
+                                         {"LeftUpLeg", 1, {-2, 9, 0}, Vec3(-80, 0, 0)},
+                                         {"RightUpLeg", 1, {-2, -9, 0}, Vec3(-80, 0, 0)},
+                                         {"Spine", 1, {10, 0, 0}, Vec3(50, 0, 3)}};
+  // Stands along y, with the left half at +z; then turns, bends and lifts a leg.
+  const Motion motion = test::motion_of(
+      test::bvh_of_figure(bones, {{3, 90, 7, 90, 90, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                  {3, 88, 9, 80, 85, 10, 0, 30, 20, 0, 5, 0, 5, 6, 7}}));
+  EXPECT_EQ(find_up_axis(motion).axis, 1u);
+  const auto image = edit::mirror(motion, std::nullopt, false, test::ignored());
+  ASSERT_TRUE(image);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_LT((place_of(*image, f, "Hips") - across(place_of(motion, f, "Hips"), 2)).norm(), 1e-9);
+    EXPECT_LT((tip_of(*image, f, 0) - across(tip_of(motion, f, 1), 2)).norm(), 1e-9);
+    EXPECT_LT((tip_of(*image, f, 1) - across(tip_of(motion, f, 0), 2)).norm(), 1e-9);
+    EXPECT_LT((tip_of(*image, f, 2) - across(tip_of(motion, f, 2), 2)).norm(), 1e-9);
+  }
+  const auto along_x = edit::mirror(motion, 0, false, test::ignored());
+  ASSERT_TRUE(along_x);
+  EXPECT_LT((tip_of(*along_x, 1, 0) - across(tip_of(motion, 1, 1), 0)).norm(), 1e-9);
+}
+
+TEST(Mirrored, TakesTheMostSymmetricFrameIfTheRestPoseIsNotSymmetric) {
+  // At rest all limbs are along x, the legs are apart along x, the arms along y.
+  const std::vector<test::Bone> bones = {{"Hips", 0, {0, 0, 0}},
+                                         {"Chest", 1, {0, 40, 0}},
+                                         {"LeftArm", 2, {15, -18, 0}, Vec3(50, 0, 0)},
+                                         {"RightArm", 2, {15, 18, 0}, Vec3(50, 0, 0)},
+                                         {"LeftUpLeg", 1, {9, 0, 0}, Vec3(85, 0, 0)},
+                                         {"RightUpLeg", 1, {-9, 0, 0}, Vec3(85, 0, 0)}};
+  // Stands in frame 1: the chest upright, arms level, legs down; raises an arm and a leg in 2.
+  const Motion motion = test::motion_of(test::bvh_of_figure(
+      bones, {{0, 85, 0, 20, 30, 40, 60, 5, 0, 7, 8, 9, 0, 3, 0, -90, 0, 0, -80, 0, 0},
+              {0, 85, 0, 0, 0, 0, 90, 0, 0, -90, 0, 0, 90, 0, 0, -90, 0, 0, -90, 0, 0},
+              {5, 80, 9, 0, 0, 20, 90, 0, 9, -60, 10, 0, 90, 0, 0, -90, 0, 0, -70, 20, 0}}));
+  Diagnostics diagnostics;
+  const auto image = edit::mirror(motion, 0, false, diagnostics);
+  ASSERT_TRUE(image) << to_string(image.error());
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT012"});
+  constexpr std::size_t kPartner[] = {1, 0, 3, 2};  // of tips
+  for (std::size_t t = 0; t < 4; ++t) {
+    EXPECT_LT((tip_of(*image, 1, t) - across(tip_of(motion, 1, kPartner[t]))).norm(), 1e-9) << t;
+    EXPECT_LT((tip_of(*image, 2, t) - across(tip_of(motion, 2, kPartner[t]))).norm(), 1e-9) << t;
+  }
+}
+
+TEST(Mirrored, AJointOfTheTrunkIsItsOwnHalf) {
+  const Motion motion =
+      star({{"LeftArm", {3, 0, 0}}, {"RightArm", {-3, 0, 0}}, {"Spine", {0.4, 5, 0}}});
+  const Motion image = in_mirror(motion);
+  EXPECT_EQ(image.clip.row(0)[12], -motion.clip.row(0)[12]);
+  EXPECT_EQ(image.clip.row(0)[13], motion.clip.row(0)[13]);
+  const Motion sword =
+      star({{"LeftArm", {3, 0, 0}}, {"RightArm", {-3, 0, 0}}, {"LeftSword", {4, 5, 0}}});
+  EXPECT_FALSE(edit::mirror(sword, 0, false, test::ignored()));
+}
+
+TEST(Mirrored, RefusesToPutAFigureOnItsHead) {
+  Motion motion = star({{"LeftArm", {3, 0, 0}}, {"RightArm", {-3, 0, 0}}});
+  motion.skeleton.up = 1;
+  const auto refused = edit::mirror(motion, 1, false, test::ignored());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "EDT004");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinefile/evidence.hpp"
 #include "kinefile/kinematics.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
@@ -80,7 +81,7 @@ std::size_t up_in_format_of_z(const KindOptions& options) {
   Diagnostics diagnostics;
   const auto made = in_kind_of(format, {examples::make_walk({.num_frames = 20}), "bvh", {}},
                                options, diagnostics);
-  return made ? guess_up_axis(std::get<Motion>(made->content)) : 0;
+  return made ? find_up_axis(std::get<Motion>(made->content)).axis : 0;
 }
 
 TEST(Conversion, AFormatsConventionSaysWhatPointsUpUnlessAnOptionDoes) {

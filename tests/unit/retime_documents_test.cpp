@@ -115,11 +115,11 @@ TEST(RetimeDocuments, EveryComponentIsResampledFromItsOwnRate) {
 
 TEST(RetimeDocuments, AlignsMotionsAlone) {
   const Document walk = walk_of(20);
-  const auto map = retime::align_map(walk, walk, {});
+  const auto map = retime::align_map(walk, walk, {}, test::ignored());
   ASSERT_TRUE(map);
   EXPECT_EQ(map->old_frames.size(), 20u);
   const Document body{hinge_motion({0}), "", {}};
-  EXPECT_EQ(retime::align_map(walk, body, {}).error().code, "DOC001");
+  EXPECT_EQ(retime::align_map(walk, body, {}, test::ignored()).error().code, "DOC001");
 }
 
 TEST(RetimeDocuments, WhatHasNoFramesIsRefused) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr Kinds kAmcWrites = {.motions = true};
 constexpr std::array<std::string_view, 1> kAmcExtensions = {".amc"};
-constexpr std::array<ReadOption, 3> kAmcReadOptions = {options::kFps, options::kEncoding,
-                                                       options::kUnitIn};
+constexpr std::array<ReadOption, 4> kAmcReadOptions = {options::kFps, options::kEncoding,
+                                                       options::kUnitIn, options::kUpIn};
 constexpr std::array<WriteOption, 1> kAmcWriteOptions = {options::kDecimals};
 constexpr double kUsualRate = 120;
 
@@ -42,7 +42,8 @@ Result<Skeleton> forced(const Document& document) {
   auto unbound = unbind(skeleton_of(document), kept_file_of(document));
   if (!unbound) return fail(std::move(unbound.error()));
   const double length = unbound->file.length.value_or(1.0);
-  return bind(unbound->file, {true, skeleton_of(document).metres_per_unit * length});
+  const Skeleton& skeleton = skeleton_of(document);
+  return bind(unbound->file, {true, skeleton.metres_per_unit * length, skeleton.up});
 }
 
 /// The skeleton that was read earlier.
@@ -86,7 +87,7 @@ Result<Found> skeleton_beside(const AmcHeader& header, const text::Source& sourc
   skeleton_options.encoding.clear();
   auto skeleton = read_skeleton(companion->bytes, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
-  const BindOptions how_bound = {header.forces_3dof, skeleton->metres_per_quotient};
+  const BindOptions how_bound = {header.forces_3dof, skeleton->metres_per_quotient, options.up};
   return Found{bind(skeleton->file, how_bound), kept_of(std::move(skeleton->file)),
                companion->name};
 }

@@ -18,7 +18,8 @@ namespace {
 
 constexpr Kinds kAsfWrites = {.motions = true, .skeletons = true};
 constexpr std::array<std::string_view, 2> kAsfExtensions = {".asf", ".ast"};
-constexpr std::array<ReadOption, 2> kAsfReadOptions = {options::kEncoding, options::kUnitIn};
+constexpr std::array<ReadOption, 3> kAsfReadOptions = {options::kEncoding, options::kUnitIn,
+                                                       options::kUpIn};
 constexpr std::array<WriteOption, 1> kAsfWriteOptions = {options::kDecimals};
 
 bool probe_asf(std::string_view head) {
@@ -42,7 +43,7 @@ Result<Document> read_asf_alone(std::string_view bytes, const ReadOptions& optio
   if (!skeleton) return fail(std::move(skeleton.error()));
   Document document;
   document.format = "asf";
-  document.content = bind(skeleton->file, {false, skeleton->metres_per_quotient});
+  document.content = bind(skeleton->file, {false, skeleton->metres_per_quotient, options.up});
   document.kept = Kept(KeptFile{skeleton->text, kept_of(std::move(skeleton->file)), {}});
   return document;
 }

@@ -156,6 +156,7 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
   skeleton.name = file.name;
   skeleton.angle_unit = unit;
   skeleton.metres_per_unit = options.metres_per_quotient / file.length.value_or(1.0);
+  skeleton.up = options.up;
   skeleton.joints.push_back(bind_root(file.root, unit));
   const Mat3 root_axes = skeleton.joints[0].rest_rotation.toRotationMatrix().transpose();
   add_dofs(skeleton, 0, file.root.order, {}, {root_axes, Mat3::Identity(), Vec3::Zero()});

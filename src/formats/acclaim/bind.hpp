@@ -13,9 +13,10 @@ namespace kinefile::acclaim {
 
 /// How the syntax of a skeleton is interpreted.
 struct BindOptions {
-  bool forces_3dof = false;                     ///< bones that can turn get all three rotations
-  double metres_per_quotient = kMetresPerInch;  ///< the unit of lengths after division by the unit
-                                                ///< of length; 0: unknown
+  bool forces_3dof = false;                      ///< bones that can turn get all three rotations
+  double metres_per_quotient = kMetresPerInch;   ///< the unit of lengths after division by the unit
+                                                 ///< of length; 0: unknown
+  std::optional<std::size_t> up = std::nullopt;  ///< see `Skeleton::up`
 };
 
 /// The rotation of an orientation: "XYZ" gives Rz Ry Rx. Whole quarter turns are exact.

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "formats/bvh/bind.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
-
-#include "formats/bvh/codes.hpp"
+#include <utility>
 
 namespace kinefile::bvh {
 namespace {
-
-Vec3 vector_of(const std::array<double, 3>& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
 
 /// The degree of freedom of a channel, for the joint that it belongs to.
 DegreeOfFreedom dof_of_channel(const Channel& channel, std::size_t column) {
@@ -65,62 +56,14 @@ Joint bind_node(const Node& node, std::size_t first_column, PositionMode mode) {
   return joint;
 }
 
-/// The median over the first frames of a channel's absolute distance from a value.
-double median_distance(const File& file, std::size_t column, double from) {
-  constexpr std::size_t kFrames = 10;
-  std::vector<double> distances;
-  for (std::size_t f = 0; f < std::min(kFrames, file.num_frames); ++f) {
-    const double distance = std::abs(file.values[f * file.num_columns + column] - from);
-    if (std::isfinite(distance)) distances.push_back(distance);
-  }
-  if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
-/// A guess from the largest component of a node's OFFSET, if it has a position channel: values
-/// around zero are meant to be added, values around OFFSET replace it. The other components give no
-/// information, because a walk leaves its start.
-std::optional<PositionGuess> guess_from_node(const File& file, const Node& node,
-                                             std::size_t first_column) {
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (std::abs(node.offset[k]) > std::abs(node.offset[axis])) axis = k;
-  }
-  const auto found =
-      std::find_if(node.channels.begin(), node.channels.end(), [axis](const Channel& channel) {
-        return channel.kind == ChannelKind::Position && channel.axis == axis;
-      });
-  if (node.offset[axis] == 0 || found == node.channels.end()) return std::nullopt;
-  const std::size_t column = first_column + static_cast<std::size_t>(found - node.channels.begin());
-  const double offset = node.offset[axis];
-  const double from_zero = median_distance(file, column, 0);
-  const bool is_added = from_zero < std::abs(offset) / 4;
-  return PositionGuess{is_added ? PositionMode::Add : PositionMode::Replace, true,
-                       fmt::format("the {} of '{}' starts {} from zero, and its OFFSET is {}",
-                                   spelling(*found), node.name, from_zero, offset)};
-}
-
 }  // namespace
 
-PositionGuess guess_positions(const File& file) {
-  std::size_t column = 0;
-  for (const Node& node : file.nodes) {
-    if (file.num_frames > 0) {
-      if (const auto guess = guess_from_node(file, node, column)) return *guess;
-    }
-    column += node.channels.size();
-  }
-  return {PositionMode::Replace, false, "no OFFSET tells"};
-}
-
-Motion bind(File&& file, PositionMode mode) {
+Motion bind(File&& file, const PositionModes& modes) {
   Motion motion;
   std::size_t column = 0;
   for (std::size_t n = 0; n < file.nodes.size(); ++n) {
     const Node& node = file.nodes[n];
-    motion.skeleton.joints.push_back(bind_node(node, column, mode));
+    motion.skeleton.joints.push_back(bind_node(node, column, modes[n]));
     for (const Channel& channel : node.channels) {
       motion.skeleton.coordinates.push_back({n, spelling(channel)});
     }

@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <vector>
+
+#include "formats/bvh/positions.hpp"
 #include "formats/bvh/syntax.hpp"
-#include "kinefile/bvh.hpp"
-#include "kinefile/diagnostics.hpp"
-#include "kinefile/format.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
 namespace kinefile::bvh {
 
-/// The probable meaning of a file's position channels, from the first frames.
-struct PositionGuess {
-  PositionMode mode = PositionMode::Replace;
-  bool is_known = false;  ///< some joint has an OFFSET and a position channel that allow a guess
-  std::string reason;     ///< for a message
-};
-PositionGuess guess_positions(const File& file);
+inline Vec3 vector_of(const std::array<double, 3>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
 
 /// Makes the motion of a file. The values are moved, not copied.
-/// \param mode  Replace or Add
-Motion bind(File&& file, PositionMode mode);
+/// \param modes  of every node
+Motion bind(File&& file, const PositionModes& modes);
 
 /// The syntax of the file for a motion, without its values. Points into `skeleton`.
 struct Unbound {

@@ -17,20 +17,30 @@ namespace kinefile::bvh {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".bvh"};
-constexpr std::array<std::string_view, 3> kPositionModes = {"replace", "add", "auto"};
-constexpr std::array<ReadOption, 4> kReadOptions = {
+constexpr std::string_view kReplace = "replace";
+
+bool set_positions(kinefile::ReadOptions& options, const OptionInfo&, std::string_view word) {
+  const auto positions = parse_positions(word);
+  if (positions) options.of_formats.edit<bvh::ReadOptions>().positions = *positions;
+  return positions.has_value();
+}
+
+constexpr std::array<ReadOption, 5> kReadOptions = {
     options::kFps,
-    words::format_option<kinefile::ReadOptions, &bvh::ReadOptions::positions>({
-        .name = "positions",
-        .type = OptionType::Choice,
-        .value_name = "MODE",
-        .help = "What BVH position channels do to OFFSET: replace it, add to it, or auto to decide "
-                "from the first frames",
-        .choices = kPositionModes,
-        .default_word = "replace",
-    }),
+    ReadOption{
+        {
+            .name = "positions",
+            .type = OptionType::Text,
+            .value_name = "MODE",
+            .help = "What BVH position channels do to OFFSET: replace it, add to it, or auto "
+                    "to decide from bones and the ground; or root=MODE,others=MODE",
+            .default_word = kReplace,
+            .wanted = "replace, add, auto or root=MODE,others=MODE",
+        },
+        set_positions},
     options::kEncoding,
     options::kUnitIn,
+    options::kUpIn,
 };
 constexpr std::array<WriteOption, 1> kWriteOptions = {options::kDecimals};
 
@@ -39,7 +49,7 @@ constexpr Kinds kWrites = {.motions = true, .skeletons = true};
 /// The data that a document keeps from its file.
 struct KeptFile {
   TextLayout text;
-  PositionMode positions = PositionMode::Replace;  ///< or Add
+  std::string positions = "replace";  ///< the value of --positions that it was read with
 };
 
 bool probe(std::string_view head) {
@@ -52,26 +62,54 @@ bool probe(std::string_view head) {
   return text::equals_ignoring_case(word, "HIERARCHY") || text::equals_ignoring_case(word, "ROOT");
 }
 
+/// What --positions means for a file: the modes asked for, and what the file shows.
+struct SettledPositions {
+  PositionModes modes;
+  std::string option;  ///< the value of --positions for these modes
+};
+
+/// Reports the clear guesses that the reading contradicts, joint by joint.
+void tell_doubts(const File& file, const text::Source& source, const SettledPositions& settled,
+                 const std::vector<PositionGuess>& guesses, Diagnostics& diagnostics) {
+  PositionModes right = settled.modes;
+  for (const PositionGuess& guess : guesses) {
+    if (guess.is_clear) right[guess.node] = guess.mode;
+  }
+  const std::string option = option_of(file, right);
+  for (const PositionGuess& guess : guesses) {
+    if (!guess.is_clear || guess.mode == settled.modes[guess.node]) continue;
+    const std::string_view name = file.nodes[guess.node].name;
+    const bool is_added = guess.mode == PositionMode::Add;
+    diagnostics.add(source.diagnose(
+        Severity::Note, code::kPositionsDoubtful,
+        fmt::format("the positions of '{}' {} its OFFSET, but look as if they {} it: {} "
+                    "(--positions {})",
+                    name, is_added ? "replace" : "are added to",
+                    is_added ? "were added to" : "replaced", guess.reason, option),
+        name.data()));
+  }
+}
+
 /// Decides the meaning of position channels, and reports it if the file is not clear.
-PositionMode settle_positions(const File& file, const text::Source& source, PositionMode asked,
-                              Diagnostics& diagnostics) {
-  const PositionGuess guess = guess_positions(file);
-  const auto name = [](PositionMode mode) { return mode == PositionMode::Add ? "add" : "replace"; };
-  const auto note = [&](const char* code, std::string message) {
-    const char* at = file.nodes.front().name.data();
-    diagnostics.add(source.diagnose(Severity::Note, code, std::move(message), at));
-  };
-  if (asked == PositionMode::Auto) {
-    note(code::kPositionsChosen,
-         fmt::format("positions are read as --positions {}: {}", name(guess.mode), guess.reason));
-    return guess.mode;
+SettledPositions settle_positions(const File& file, const text::Source& source,
+                                  const kinefile::ReadOptions& options, Diagnostics& diagnostics) {
+  const Positions& asked = options.of_formats.get<bvh::ReadOptions>().positions;
+  const std::vector<PositionGuess> guesses = guess_positions(file, options.up);
+  SettledPositions settled;
+  settled.modes = settled_positions(file, asked, guesses);
+  settled.option = option_of(file, settled.modes);
+  if (asked.root == PositionMode::Auto || asked.others == PositionMode::Auto) {
+    const std::string why =
+        guesses.empty()
+            ? "no OFFSET tells"
+            : fmt::format("{}: {}", file.nodes[guesses.front().node].name, guesses.front().reason);
+    diagnostics.add(source.diagnose(
+        Severity::Note, code::kPositionsChosen,
+        fmt::format("positions are read as --positions {}: {}", settled.option, why),
+        file.nodes.front().name.data()));
   }
-  if (guess.is_known && guess.mode != asked) {
-    note(code::kPositionsDoubtful,
-         fmt::format("positions are read as --positions {}, but look like {}: {}", name(asked),
-                     name(guess.mode), guess.reason));
-  }
-  return asked;
+  tell_doubts(file, source, settled, guesses, diagnostics);
+  return settled;
 }
 
 /// Reads a document; `diagnostics` contains only messages about this file.
@@ -89,13 +127,13 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
 
   const bool has_motion = file.has_motion;
-  const PositionMode mode = settle_positions(
-      file, source, options.of_formats.get<bvh::ReadOptions>().positions, diagnostics);
+  SettledPositions positions = settle_positions(file, source, options, diagnostics);
   Document document;
   document.format = "bvh";
-  document.kept = Kept(KeptFile{layout_of(*decoded, view), mode});
-  Motion motion = bind(std::move(file), mode);
+  document.kept = Kept(KeptFile{layout_of(*decoded, view), std::move(positions.option)});
+  Motion motion = bvh::bind(std::move(file), positions.modes);
   motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
+  motion.skeleton.up = options.up;
   if (options.fps) motion.clip.timeline = {FrameRate{*options.fps}, 0};
   if (has_motion) {
     document.content = std::move(motion);
@@ -124,10 +162,11 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   const Skeleton& skeleton = skeleton_of(document);
   auto unbound = unbind(skeleton);
   if (!unbound) return fail(std::move(unbound.error()));
-  if (adds_positions(skeleton)) {
+  if (const std::string option = option_of(skeleton); option != kReplace) {
     diagnostics.add(Severity::Note, code::kPositionsAdded,
-                    "position values are written as they are, to be added to OFFSET; read the "
-                    "file with --positions add");
+                    fmt::format("position values are written as they are, to be added to OFFSET; "
+                                "read the file with --positions {}",
+                                option));
   }
   const KeptFile* const kept = document.kept.get<KeptFile>();
   const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
@@ -143,16 +182,17 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
 /// Whether the file's positions were read as added to OFFSET.
 bool were_positions_added(const Document& document) {
   const KeptFile* const kept = document.kept.get<KeptFile>();
-  return kept != nullptr && kept->positions == PositionMode::Add;
+  return kept != nullptr && kept->positions == "add";
 }
 
 std::vector<Fact> facts(const Document& document) {
   const KeptFile* const kept = document.kept.get<KeptFile>();
   if (kept == nullptr) return {};
   std::vector<Fact> all = facts_of(kept->text);
-  const bool are_added = were_positions_added(document);
-  all.push_back({"positions", are_added ? "add" : "replace",
-                 are_added ? "positions added to OFFSET" : "positions replace OFFSET"});
+  const std::string words = kept->positions == kReplace ? "positions replace OFFSET"
+                            : kept->positions == "add"  ? "positions added to OFFSET"
+                                                        : "positions " + kept->positions;
+  all.push_back({"positions", kept->positions, words});
   return all;
 }
 

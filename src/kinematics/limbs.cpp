@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/limbs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/words.hpp"
+#include "kinefile/kinematics.hpp"
+
+namespace kinefile {
+namespace {
+
+bool has_word(const std::string& lower, std::string_view word) {
+  return lower.find(word) != std::string::npos;
+}
+
+bool is_called_leg(const std::string& name) {
+  constexpr std::array<std::string_view, 13> kWords = {
+      "leg", "thigh", "femur",  "shin",   "tibia",  "calf",  "knee",
+      "paw", "hoof",  "\u811a", "\u817f", "\u819d", "\u8db3"};
+  const std::string lower = lowered(name);
+  return is_called_foot(name) || std::any_of(kWords.begin(), kWords.end(),
+                                             [&](auto word) { return has_word(lower, word); });
+}
+
+/// The leg that ends at a joint; nothing if it has no length.
+std::optional<Leg> leg_to(const Skeleton& skeleton, const std::vector<bool>& is_leg,
+                          const std::vector<std::size_t>& first_tips, std::size_t bottom) {
+  Leg leg{bottom, bottom};
+  for (std::size_t j = bottom; j != kNoParent && is_leg[j]; j = skeleton.joints[j].parent) {
+    leg.top = j;
+  }
+  if (leg.top != bottom) return leg;
+  if (is_called_foot(skeleton.joints[bottom].name)) {  // a foot alone lies level
+    leg.top = skeleton.joints[bottom].parent;
+    return leg.top == kNoParent ? std::nullopt : std::optional(leg);
+  }
+  if (skeleton.joints[bottom].tips.empty()) return std::nullopt;
+  leg.tip = first_tips[bottom];
+  return leg;
+}
+
+}  // namespace
+
+bool is_called_foot(const std::string& name) {
+  const std::string lower = lowered(name);
+  const bool is_ball = has_word(lower, "ball") && !has_word(lower, "eye");
+  return has_word(lower, "foot") || has_word(lower, "toe") || has_word(lower, "ankle") || is_ball ||
+         has_word(lower, "\u8db3");
+}
+
+std::vector<Leg> find_legs(const Skeleton& skeleton) {
+  const std::size_t num_joints = skeleton.joints.size();
+  std::vector<bool> is_leg(num_joints);
+  std::vector<bool> has_leg_below(num_joints);
+  for (std::size_t j = num_joints; j-- > 0;) {  // children before their parents
+    is_leg[j] = is_called_leg(skeleton.joints[j].name);
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (parent != kNoParent && (is_leg[j] || has_leg_below[j])) has_leg_below[parent] = true;
+  }
+  const auto first_tips = first_tips_of_joints(skeleton);
+  std::vector<Leg> legs;
+  for (std::size_t j = 0; j < num_joints; ++j) {
+    if (!is_leg[j] || has_leg_below[j]) continue;
+    if (const auto leg = leg_to(skeleton, is_leg, first_tips, j)) legs.push_back(*leg);
+  }
+  return legs;
+}
+
+WorldPoses sampled_poses(const Motion& motion) {
+  constexpr std::size_t kMostFrames = 64;
+  const Clip rest = rest_clip(motion.skeleton);
+  const Clip& clip = motion.clip.num_frames > 0 ? motion.clip : rest;
+  KinematicsOptions options;
+  options.frame_step = (clip.num_frames + kMostFrames - 1) / kMostFrames;
+  options.num_frames = kMostFrames;
+  options.tips = true;
+  return forward_kinematics(motion.skeleton, clip, options);
+}
+
+Vec3 joint_position(const PoseArrays& poses, std::size_t row, std::size_t joint) {
+  return Vec3(&poses.positions[(row * poses.num_joints + joint) * 3]);
+}
+
+Vec3 tip_position(const PoseArrays& poses, std::size_t row, std::size_t tip) {
+  return Vec3(&poses.tips[(row * poses.num_tips + tip) * 3]);
+}
+
+}  // namespace kinefile

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinefile/motion.hpp"
+#include "kinefile/world_poses.hpp"
+
+namespace kinefile {
+
+/// A leg: the line from its upper end to its lower one.
+struct Leg {
+  std::size_t top = 0;                            ///< the joint at which the leg begins
+  std::size_t bottom = 0;                         ///< the last joint of the leg
+  std::optional<std::size_t> tip = std::nullopt;  ///< instead of `bottom`, a tip (of all joints)
+};
+
+/// The legs of a skeleton, found by the names of joints, in English and Japanese.
+std::vector<Leg> find_legs(const Skeleton& skeleton);
+
+/// Whether a name is that of a foot or a part of it.
+bool is_called_foot(const std::string& name);
+
+/// At most 64 frames of a motion, placed in the world with tips; the rest pose if it has no frames.
+WorldPoses sampled_poses(const Motion& motion);
+
+/// The position of a joint or a tip in a row of poses.
+Vec3 joint_position(const PoseArrays& poses, std::size_t row, std::size_t joint);
+Vec3 tip_position(const PoseArrays& poses, std::size_t row, std::size_t tip);
+
+}  // namespace kinefile

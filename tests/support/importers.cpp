@@ -94,8 +94,7 @@ class LayoutReader {
     expect("{");
     node.offset = read_offset();
     const Words channels = take("CHANNELS");
-    node.channels.assign(channels.begin() + std::min<std::size_t>(2, channels.size()),
-                         channels.end());
+    for (std::size_t i = 2; i < channels.size(); ++i) node.channels.push_back(channels[i]);
     const bool has_count = channels.size() > 1 && count_of(channels[1]) == node.channels.size();
     if (!has_count && file_.fault.empty()) file_.fault = "CHANNELS has a wrong count";
     node.first_column = num_columns_;

@@ -118,9 +118,24 @@ struct MirrorPair {
 /// manufacturer's robots; a project does not specify them.
 std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t num_sliders);
 
-/// The pairs with sign -1 whose words are equal and not 0 in some pose, and opposite in none: such
-/// joints may turn the same way on both sides, so that mirroring should keep their sign.
-std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<MirrorPair>& pairs);
+/// What the poses of a flow show about the sign of a pair. A pose shows it if it displaces both
+/// sides from the base pose by as much: by more than a 64th of the slider's range, and alike within
+/// a 16th or one step. The sign is 1 if they are displaced alike, -1 if they are opposite. Under
+/// that sign the mirrored pose has the same words; under the other one it has words that the flow
+/// never has.
+struct SignEvidence {
+  std::optional<std::size_t> alike_block = std::nullopt;     ///< the first pose that shows 1
+  std::optional<std::size_t> opposite_block = std::nullopt;  ///< the first pose that shows -1
+  /// Two of the poses that show a sign displace the sides by different sizes, or one of them is
+  /// symmetric as a whole: the sides of every pair are displaced by as much, and no centre slider
+  /// is displaced.
+  bool is_clear = false;
+};
+
+/// The evidence for each pair; shape (pairs).
+/// \param pairs  of `mirror_pairs_of` for the project and the flow
+std::vector<SignEvidence> sign_evidence(const PoseFlow& flow, const RobotProject& project,
+                                        const std::vector<MirrorPair>& pairs);
 
 /// The mirrored flow: poses swap the words of pairs, and the power states of the servos with the
 /// same numbers. -32768 becomes 32767, with a note.

@@ -93,6 +93,9 @@ struct Conventions {
   bool turns_at_rest = true;                           ///< whether joints may have rest rotations
   /// Whether a joint is a bone with one end, at which all of its children are.
   bool has_one_end = false;
+  /// Whether its readers expect no rotations or three about different axes of a joint, and six
+  /// channels of a root. A motion of another format gets these.
+  bool has_whole_channels = false;
   /// Whether a body motion becomes a motion by its components (one column per value), not by its
   /// links.
   bool has_columns_of_components = false;

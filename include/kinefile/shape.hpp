@@ -83,16 +83,19 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text);
 
 /// Which joints have position channels.
 enum class PositionChannels {
-  AsIs,  ///< the joints that have them already
-  Root,  ///< only roots; every joint turns about three axes
-  All,   ///< every joint; every joint turns about three axes
+  AsIs,        ///< the joints that have them already
+  Root,        ///< only roots; every joint turns about three axes
+  All,         ///< every joint; every joint turns about three axes
+  RootAndOwn,  ///< roots and the joints that have some, which turn about three axes as the joints
+               ///< that turn at all do: what the importers of BVH accept
 };
 
 struct ChannelOptions {
   /// Absent: each joint's own, or `usual_order` if it has none.
   std::optional<RotationOrder> order = std::nullopt;
   RotationOrder usual_order = {2, 0, 1};
-  PositionChannels positions = PositionChannels::AsIs;
+  std::optional<PositionChannels> positions = std::nullopt;  ///< absent: `usual_positions`
+  PositionChannels usual_positions = PositionChannels::AsIs;
   bool adds_positions = false;  ///< new position channels are added to offsets and do not replace
                                 ///< them; if the motion's own channels show what they do, new ones
                                 ///< do the same
@@ -108,12 +111,13 @@ bool repeats_an_axis(const Joint& joint);
 /// The same motion with other channels: positions and rotations in the world stay the same.
 /// Joints whose rotations have the order already keep every bit. Angles of other joints are
 /// recomputed, each nearest to the previous frame, so that curves stay continuous. With `AsIs`, a
-/// joint with one rotation, or with some in the order's sequence, keeps them. Joints with rotations
-/// about or translations along axes other than x, y and z, or with shared columns, get new
-/// rotations about and positions along x, y and z. Balls and rotation vectors become angles; values
-/// with a gain or a shift get their own columns.
-/// If a joint loses its position channels and they are constant, they become part of its offset.
-/// \errors EDT001 (DataLoss) if they are not constant, and not `lenient`;
+/// joint with one rotation, or with some in the order's sequence, keeps them. Otherwise a joint
+/// with one or two rotations about x, y or z keeps their values, and gets the rotations that it
+/// lacks as zeros. Joints with rotations about or translations along axes other than x, y and z, or
+/// with shared columns, get new rotations about and positions along x, y and z. Balls and rotation
+/// vectors become angles; values with a gain or a shift get their own columns. If a joint loses its
+/// position channels and they are constant, they become part of its offset. \errors EDT001
+/// (DataLoss) if they are not constant, and not `lenient`;
 ///         EDT002 (Usage) for a joint that moves freely
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics);

@@ -4,6 +4,7 @@
 #include "document/conventions.hpp"
 #include "kinefile/convert.hpp"
 #include "kinefile/operation.hpp"
+#include "kinefile/robot.hpp"
 #include "kinefile/shape.hpp"
 
 namespace kinefile {
@@ -17,7 +18,8 @@ bool turns_at_rest(const Joint& joint) {
 }
 
 bool asks_for_channels(const shape::ChannelOptions& channels) {
-  return channels.order || channels.positions != shape::PositionChannels::AsIs;
+  return channels.order || channels.positions.value_or(shape::PositionChannels::AsIs) !=
+                               shape::PositionChannels::AsIs;
 }
 
 /// The motion with its angles in degrees. One degree of freedom reads each column, and its value is
@@ -42,7 +44,8 @@ Motion in_degrees(Motion motion) {
 Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
                        Diagnostics& diagnostics) {
   // Angles rotate with their joints' frames; quaternions cannot.
-  const Motion plain = shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
+  const Motion plain =
+      shape::with_angles(shape::with_plain_values(robot::without_free_joints(motion)), kUsualOrder);
   auto aligned = shape::with_world_aligned_rest(plain);
   if (!aligned) return aligned;
   auto inherited = shape::without_tail_translations(*aligned, channels.lenient, diagnostics);
@@ -51,7 +54,8 @@ Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
   channels.replaces_offsets = true;  // as BVH files are read
   auto made = shape::with_channels(shape::without_inner_tips(*inherited), channels, diagnostics);
   if (!made) return made;
-  return in_degrees(shape::without_unread_columns(*made));
+  *made = shape::without_unread_columns(*made);
+  return in_degrees(std::move(*made));
 }
 
 Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
@@ -88,6 +92,16 @@ Motion with_ends(Motion motion) {
   return motion;
 }
 
+/// The channels that a document gets: those that are asked for, otherwise what the readers of its
+/// new format expect.
+shape::ChannelOptions expected_channels(const Format& format, const Document& document,
+                                        shape::ChannelOptions channels) {
+  if (!format.conventions.has_whole_channels || document.format == format.name) return channels;
+  channels.usual_positions = shape::PositionChannels::RootAndOwn;
+  channels.distinct_axes = !channels.positions && !channels.order;
+  return channels;
+}
+
 /// Whether a document is converted from a format with bones to one without.
 bool leaves_bones(const Format& format, const Document& document) {
   const Format* from = find_format(document.format);
@@ -116,10 +130,11 @@ Result<Document> adapted_to(const Format& format, Document document,
   }
   if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
   document = without_helper_bones(format, std::move(document), diagnostics);
+  const shape::ChannelOptions wanted = expected_channels(format, document, channels);
   auto adapted = change_motion(document, [&](const Motion& motion) {
-    if (is_for_bones) return for_bones(motion, channels, diagnostics);
-    if (is_for_bvh) return for_bvh(with_ends(motion), channels, diagnostics);
-    return shape::with_channels(motion, channels, diagnostics);
+    if (is_for_bones) return for_bones(motion, wanted, diagnostics);
+    if (is_for_bvh) return for_bvh(with_ends(motion), wanted, diagnostics);
+    return shape::with_channels(motion, wanted, diagnostics);
   });
   if (!adapted) return fail(std::move(adapted.error()));
   return document;

@@ -67,9 +67,9 @@ constexpr std::array<AdaptOption, 7> kOptions = {{
     {{{.name = "channels",
        .type = OptionType::Choice,
        .value_name = "WHICH",
-       .help = "Which joints have position channels: root, all, or as-is",
-       .choices = kChannels,
-       .default_word = "as-is"},
+       .help = "Which joints have position channels: root, all, or as-is. Default: as-is; in BVH "
+               "from another format, the root and joints that have some",
+       .choices = kChannels},
       set_channels},
      writes_skeletons},
     {{{.name = "form",

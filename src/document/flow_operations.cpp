@@ -56,30 +56,83 @@ std::optional<std::vector<flow::MirrorPair>> parse_pairs(std::string_view text) 
   return pairs.empty() ? std::nullopt : std::optional(pairs);
 }
 
+/// Pairs as `mirror` takes them: "A:B:SIGN,...".
+std::string words_of_pairs(const std::vector<flow::MirrorPair>& pairs) {
+  std::string words;
+  for (const flow::MirrorPair& pair : pairs) {
+    words +=
+        fmt::format("{}{}:{}:{}", words.empty() ? "" : ",", pair.slider, pair.partner, pair.sign);
+  }
+  return words;
+}
+
+bool is_among(const flow::MirrorPair& pair, const std::vector<flow::MirrorPair>& given) {
+  return std::any_of(given.begin(), given.end(), [&pair](const flow::MirrorPair& other) {
+    return other.slider == pair.slider || other.slider == pair.partner ||
+           other.partner == pair.slider || other.partner == pair.partner;
+  });
+}
+
+/// Pairs of a project, by what the words of a flow show about their signs.
+struct ShownPairs {
+  std::vector<flow::MirrorPair> shown;     ///< clearly
+  std::vector<flow::MirrorPair> doubtful;  ///< those that may have sign 1
+  std::string contradictions;
+};
+
+/// Gives pairs the signs that words show clearly.
+ShownPairs take_shown_signs(const std::vector<flow::SignEvidence>& evidence,
+                            std::vector<flow::MirrorPair>& pairs,
+                            const std::vector<flow::MirrorPair>& given) {
+  ShownPairs found;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    flow::MirrorPair& pair = pairs[p];
+    const auto& [alike, opposite, is_clear] = evidence[p];
+    if (is_among(pair, given) || (!alike && !opposite)) continue;
+    if (alike && opposite) {
+      found.contradictions += fmt::format(
+          "{}sliders {} and {} are alike in block {} and opposite in block {}",
+          found.contradictions.empty() ? "" : "; ", pair.slider, pair.partner, *alike, *opposite);
+    } else if (is_clear) {
+      pair.sign = alike ? 1 : -1;
+      found.shown.push_back(pair);
+    } else if (alike) {
+      found.doubtful.push_back({pair.slider, pair.partner, 1});
+    }
+  }
+  return found;
+}
+
 /// The pairs of the project that `--project` names; pairs that were given replace those of the same
 /// sliders.
+/// \errors FLW018 (Usage) if the words contradict each other about the sign of another pair
 Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
                                                     const RobotProject& project,
                                                     const std::vector<flow::MirrorPair>& given,
                                                     Diagnostics& diagnostics) {
   std::vector<flow::MirrorPair> pairs = flow::mirror_pairs_of(project, flow.num_sliders);
-  std::erase_if(pairs, [&given](const flow::MirrorPair& pair) {
-    return std::any_of(given.begin(), given.end(), [&pair](const flow::MirrorPair& other) {
-      return other.slider == pair.slider || other.slider == pair.partner ||
-             other.partner == pair.slider || other.partner == pair.partner;
-    });
-  });
-  std::string words;
-  for (const flow::MirrorPair& pair : flow::doubtful_pairs(flow, pairs)) {
-    words += fmt::format("{}{}:{}:1", words.empty() ? "" : ",", pair.slider, pair.partner);
+  const ShownPairs found =
+      take_shown_signs(flow::sign_evidence(flow, project, pairs), pairs, given);
+  if (!found.contradictions.empty()) {
+    return fail(ErrorKind::Usage, "FLW018",
+                fmt::format("the project does not say whether a pair changes its sign, and the "
+                            "words contradict each other: {}; mirror=A:B:SIGN says it",
+                            found.contradictions));
   }
-  if (!words.empty()) {
+  if (!found.shown.empty()) {
+    diagnostics.add(Severity::Note, "FLW017",
+                    fmt::format("the project does not say whether a pair changes its sign; "
+                                "the words of poses show it: mirror={}",
+                                words_of_pairs(found.shown)));
+  }
+  if (!found.doubtful.empty()) {
     diagnostics.add(Severity::Warning, "FLW015",
-                    fmt::format("the project does not say whether a pair changes its sign; all are "
-                                "taken to, though words of some are alike on both sides: mirror={} "
-                                "keeps theirs",
-                                words));
+                    fmt::format("the project does not say whether a pair changes its sign; some "
+                                "are taken to, though the words of both sides are alike in one "
+                                "pose, which is not symmetric: mirror={} keeps their sign",
+                                words_of_pairs(found.doubtful)));
   }
+  std::erase_if(pairs, [&given](const flow::MirrorPair& pair) { return is_among(pair, given); });
   pairs.insert(pairs.end(), given.begin(), given.end());
   return pairs;
 }

@@ -91,25 +91,6 @@ std::vector<PoseBlock*> poses_of(PoseFlow& flow) {
 
 }  // namespace
 
-std::vector<MirrorPair> doubtful_pairs(const PoseFlow& flow, const std::vector<MirrorPair>& pairs) {
-  std::vector<MirrorPair> doubtful;
-  for (const MirrorPair& pair : pairs) {
-    const bool is_of_two = pair.slider != pair.partner && pair.sign < 0 &&
-                           std::max(pair.slider, pair.partner) < flow.num_sliders;
-    bool are_alike = false, are_opposite = false;
-    for (const Block& block : flow.blocks) {
-      const auto* pose = std::get_if<PoseBlock>(&block.body);
-      if (pose == nullptr || !is_of_two) continue;
-      const SliderWord a = pose->words[pair.slider], b = pose->words[pair.partner];
-      if (!a.is_enabled || !b.is_enabled || a.value == 0) continue;
-      are_alike |= a.value == b.value;
-      are_opposite |= a.value == -b.value;
-    }
-    if (are_alike && !are_opposite) doubtful.push_back(pair);
-  }
-  return doubtful;
-}
-
 std::vector<MirrorPair> mirror_pairs_of(const RobotProject& project, std::size_t num_sliders) {
   std::vector<MirrorPair> pairs;
   const std::size_t most = std::min(project.sliders.size(), num_sliders);

@@ -200,6 +200,8 @@ void write_freed(const Clip& from, const FreedJoint& joint, AngleUnit unit, cons
 }  // namespace
 
 Motion without_free_joints(const Motion& motion) {
+  const auto& joints = motion.skeleton.joints;
+  if (std::none_of(joints.begin(), joints.end(), moves_freely)) return motion;
   Motion changed{motion.skeleton, {}};
   Skeleton& skeleton = changed.skeleton;
   skeleton.coordinates.clear();

@@ -51,6 +51,7 @@ struct Context {
   const Motion& motion;
   const ChannelOptions& options;
   Diagnostics& diagnostics;
+  PositionChannels positions = PositionChannels::AsIs;
   bool adds_positions = false;
   std::vector<std::vector<std::size_t>> columns_of_joint = {};
   std::vector<std::size_t> num_readers = {};  ///< of every column
@@ -146,6 +147,17 @@ bool adds_to_offset(const Joint& joint) {
     return dof.kind == DofKind::Translation &&
            in_rest_frame(joint, joint.offset).dot(dof.axis) != 0;
   });
+}
+
+/// Whether a joint has two translations along one axis.
+bool repeats_a_direction(const Joint& joint) {
+  const std::vector<Translation> translations = translations_of(joint);
+  for (std::size_t a = 0; a < translations.size(); ++a) {
+    for (std::size_t b = a + 1; b < translations.size(); ++b) {
+      if (translations[a].dof.axis == translations[b].dof.axis) return true;
+    }
+  }
+  return false;
 }
 
 /// Gives a joint positions along x, y and z instead of those along other axes, or from shared
@@ -250,38 +262,51 @@ JointChange unchanged(const Context& context, std::size_t joint_index) {
   return change;
 }
 
-/// The rotation order of a joint, if its three rotations can represent every rotation.
-std::optional<RotationOrder> own_order(const Joint& joint) {
+/// An order of three rotations that contains the joint's own and can represent every rotation, if
+/// there is one. Axes that the joint lacks are where they are in `usual`, otherwise innermost.
+std::optional<RotationOrder> own_order(const Joint& joint, const RotationOrder& usual) {
   const auto rotations = rotations_of(joint);
-  if (rotations.size() != 3) return std::nullopt;
+  std::vector<std::size_t> axes;
   for (const DegreeOfFreedom& dof : rotations) {
     if (!axis_of(dof)) return std::nullopt;
+    axes.push_back(*axis_of(dof));
   }
-  const RotationOrder order = {*axis_of(rotations[0]), *axis_of(rotations[1]),
-                               *axis_of(rotations[2])};
-  if (order[0] == order[1] || order[1] == order[2]) return std::nullopt;
-  return order;
+  if (axes.size() < 3 && is_in_order(rotations, usual)) return usual;
+  for (std::size_t axis = 0; axis < 3 && rotations.size() < 3; ++axis) {
+    if (std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+  }
+  if (axes.size() != 3 || axes[0] == axes[1] || axes[1] == axes[2]) return std::nullopt;
+  return RotationOrder{axes[0], axes[1], axes[2]};
+}
+
+/// The choice for a single joint that a choice for all joints means.
+PositionChannels positions_for(const Joint& joint, PositionChannels all) {
+  if (all != PositionChannels::RootAndOwn) return all;
+  const bool is_root = joint.parent == kNoParent;
+  if (is_root || !translations_of(joint).empty()) return PositionChannels::All;
+  return rotations_of(joint).empty() ? PositionChannels::AsIs : PositionChannels::Root;
 }
 
 Result<JointChange> plan_change(const Context& context, std::size_t joint_index) {
   const Joint& joint = context.motion.skeleton.joints[joint_index];
-  const PositionChannels positions = context.options.positions;
+  const PositionChannels positions = positions_for(joint, context.positions);
   const bool is_as_is = positions == PositionChannels::AsIs;
+  const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
   const bool is_refused = context.options.distinct_axes && repeats_an_axis(joint);
-  const auto own = is_refused ? std::nullopt : own_order(joint);
-  const RotationOrder order =
-      context.options.order.value_or(own.value_or(context.options.usual_order));
+  const RotationOrder& usual = context.options.usual_order;
+  const auto own = is_refused ? std::nullopt : own_order(joint, usual);
+  const RotationOrder order = context.options.order.value_or(own.value_or(usual));
   const auto rotations = rotations_of(joint);
   const bool has_plain_rotations = are_plain(context, joint_index, DofKind::Rotation);
   const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation) &&
-                                   !(context.options.replaces_offsets && adds_to_offset(joint));
+                                   !(context.options.replaces_offsets && adds_to_offset(joint)) &&
+                                   (is_as_is || !repeats_a_direction(joint));
   const bool keeps_rotations =
       has_plain_rotations && !is_refused &&
       (rotations.size() <= 1 || !context.options.order || is_in_order(rotations, order));
   if (is_as_is && keeps_rotations && has_plain_positions) return unchanged(context, joint_index);
   JointChange change;
   change.offset = joint.offset;
-  const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
   if (!has_plain_positions && (is_as_is || has_positions)) {
     replace_positions(context, joint, change);
   } else if (is_as_is) {
@@ -305,43 +330,59 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   return change;
 }
 
+/// Fills the columns of one joint, frames after frames.
+struct ColumnFiller {
+  const JointChange* change = nullptr;
+  std::size_t first_column = 0;
+  Vec3 base = Vec3::Zero();  ///< the part of the joint's offset that its positions now contain
+  rotation::AngleFinder finder;
+};
+
 /// Fills a joint's columns in some frames.
 /// \param angles  the joint's new angles, if it has any
-void fill_rows(const Clip& source, const JointChange& change, const Vec3& base,
-               std::size_t first_column, const FrameBatch& frames, const simd::Angles& angles,
-               const Rows& out) {
+void fill_rows(const Clip& source, const ColumnFiller& filler, const FrameBatch& frames,
+               const simd::Angles& angles, const Rows& out) {
   for (std::size_t i = 0; i < frames.count; ++i) {
     const auto row = source.row(frames.first + i);
-    const auto columns = out[frames.first + i].subspan(first_column);
-    const Vec3 position = position_in_row(base, change.old_translations, row);
-    for (std::size_t c = 0; c < change.columns.size(); ++c) {
-      const ColumnSource& column = change.columns[c];
-      double& value = columns[c];
-      if (column.from == ColumnSource::From::Column) value = row[column.column];
-      if (column.from == ColumnSource::From::Constant) value = column.constant;
-      if (column.from == ColumnSource::From::Angle) value = angles[column.component][i];
-      if (column.from == ColumnSource::From::Position) {
-        value = position[static_cast<Eigen::Index>(column.component)];
+    double* value = &out[frames.first + i][filler.first_column];
+    Vec3 position = Vec3::Zero();
+    if (!filler.change->old_translations.empty()) {
+      position = position_in_row(filler.base, filler.change->old_translations, row);
+    }
+    for (const ColumnSource& column : filler.change->columns) {
+      switch (column.from) {
+        case ColumnSource::From::Column:
+          *value = row[column.column];
+          break;
+        case ColumnSource::From::Constant:
+          *value = column.constant;
+          break;
+        case ColumnSource::From::Angle:
+          *value = angles[column.component][i];
+          break;
+        case ColumnSource::From::Position:
+          *value = position[static_cast<Eigen::Index>(column.component)];
+          break;
       }
+      ++value;
     }
   }
 }
 
-void fill_columns(const Motion& source, std::size_t joint_index, const JointChange& change,
-                  std::size_t first_column, const Rows& out) {
+/// Fills all columns, a block of frames after the other.
+void fill_columns(const Motion& source, std::vector<ColumnFiller>& fillers, const Rows& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
-  // The part of the joint's offset that its positions now contain.
-  const Joint& joint = source.skeleton.joints[joint_index];
-  const Vec3 base = in_rest_frame(joint, joint.offset - change.offset);
-  rotation::AngleFinder finder(change.axes, unit == AngleUnit::Degrees, Vec3::Zero());
   simd::Quaternions rotations;
   simd::Angles angles;
   for (const FrameBatch& frames : batches_of(source.clip.num_frames)) {
-    if (change.has_new_angles) {
-      rotations_in_rows(change.old_rotations, source.clip, frames, unit, rotations);
-      finder.find(rotations, frames.count, angles);
+    for (ColumnFiller& filler : fillers) {
+      if (filler.change->columns.empty()) continue;
+      if (filler.change->has_new_angles) {
+        rotations_in_rows(filler.change->old_rotations, source.clip, frames, unit, rotations);
+        filler.finder.find(rotations, frames.count, angles);
+      }
+      fill_rows(source.clip, filler, frames, angles, out);
     }
-    fill_rows(source.clip, change, base, first_column, frames, angles, out);
   }
 }
 
@@ -378,6 +419,7 @@ Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOption
       motion,
       options,
       diagnostics,
+      options.positions.value_or(options.usual_positions),
       !options.replaces_offsets && (options.adds_positions || adds_positions(motion.skeleton)),
       columns_of_joints(motion.skeleton),
       num_readers_of_columns(motion.skeleton)};
@@ -410,10 +452,15 @@ Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOption
   result.clip.num_frames = motion.clip.num_frames;
   result.clip.num_coordinates = result.skeleton.coordinates.size();
   result.clip.values.resize(result.clip.num_frames * result.clip.num_coordinates);
-  const Rows rows = result.clip.mutate();
+  std::vector<ColumnFiller> fillers;
   for (std::size_t j = 0; j < changes.size(); ++j) {
-    fill_columns(motion, j, changes[j], first_columns[j], rows);
+    const Joint& joint = motion.skeleton.joints[j];
+    const bool is_in_degrees = motion.skeleton.angle_unit == AngleUnit::Degrees;
+    fillers.push_back({&changes[j], first_columns[j],
+                       in_rest_frame(joint, joint.offset - changes[j].offset),
+                       rotation::AngleFinder(changes[j].axes, is_in_degrees, Vec3::Zero())});
   }
+  fill_columns(motion, fillers, result.clip.mutate());
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "kinefile/bvh.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/shape.hpp"
+#include "support/motion_checks.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -110,6 +111,67 @@ TEST(WithChannels, AllGivesSixChannelsToEveryJoint) {
   EXPECT_EQ(channels_of(all, 2),
             "Xposition Yposition Zposition Zrotation Xrotation Yrotation Xscale ");
   EXPECT_EQ(distance(mixed, all), 0);
+}
+
+/// A root that does not move, a slider, and joints with one and two rotations, out of order too.
+constexpr char kBare[] =
+    "HIERARCHY\nROOT r\n{\nOFFSET 1 2 -3\nCHANNELS 0\n"
+    "JOINT slider\n{\nOFFSET 4 5 6\nCHANNELS 1 Yposition\n"
+    "JOINT one\n{\nOFFSET 0 7 0\nCHANNELS 1 Yrotation\n"
+    "JOINT two\n{\nOFFSET 0 8 0\nCHANNELS 2 Zrotation Xrotation\n"
+    "JOINT odd\n{\nOFFSET 0 9 0\nCHANNELS 2 Xrotation Zrotation\n"
+    "JOINT fixed\n{\nOFFSET 1 0 0\nCHANNELS 0\nEnd Site\n{\nOFFSET 1 1 1\n}\n}\n}\n}\n}\n}\n}\n"
+    "MOTION\nFrames: 2\nFrame Time: 0.1\n"
+    "5.5 370.1 -10 0.1 1e-300 700\n"
+    "5.25 370.2 -20 0.2 -0 701\n";
+
+TEST(WithChannels, RootAndOwnCompletesWhatIsThereAndKeepsItsBits) {
+  const Motion bare = test::motion_of(kBare);
+  const Motion whole = changed(bare, {.positions = shape::PositionChannels::RootAndOwn});
+  const std::string positions = "Xposition Yposition Zposition ";
+  EXPECT_EQ(channels_of(whole, 0), positions + "Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(channels_of(whole, 1), positions + "Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(channels_of(whole, 2), "Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(channels_of(whole, 3), "Zrotation Xrotation Yrotation ");
+  EXPECT_EQ(channels_of(whole, 4), "Xrotation Zrotation Yrotation ");
+  EXPECT_EQ(channels_of(whole, 5), "");
+  EXPECT_TRUE(test::same_bits(whole.clip.row(0),
+                              std::vector<double>{1, 2, -3, 0,     0,   0,   4, 5.5,    6,   0, 0,
+                                                  0, 0, 0,  370.1, -10, 0.1, 0, 1e-300, 700, 0}));
+  EXPECT_TRUE(test::same_bits(whole.clip.row(1),
+                              std::vector<double>{1, 2, -3, 0,     0,   0,   4, 5.25, 6,   0, 0,
+                                                  0, 0, 0,  370.2, -20, 0.2, 0, -0.0, 701, 0}));
+  EXPECT_EQ(distance(bare, whole), 0);
+  const Motion ordered = changed(bare, {.order = shape::parse_rotation_order("YXZ"),
+                                        .positions = shape::PositionChannels::RootAndOwn});
+  EXPECT_EQ(channels_of(ordered, 2), "Yrotation Xrotation Zrotation ");
+  EXPECT_EQ(channels_of(ordered, 5), "");
+  EXPECT_LT(distance(bare, ordered), 1e-12);
+}
+
+TEST(WithChannels, RootAndOwnIsTheSameASecondTime) {
+  const shape::ChannelOptions options{.positions = shape::PositionChannels::RootAndOwn,
+                                      .distinct_axes = true};
+  const Motion once = changed(test::motion_of(kBare), options);
+  const Motion twice = changed(once, options);
+  EXPECT_TRUE(test::same_skeleton(once.skeleton, twice.skeleton));
+  EXPECT_EQ(once.clip.values, twice.clip.values);
+}
+
+TEST(WithChannels, TwoPositionsAlongOneAxisBecomeOne) {
+  Motion twice = test::motion_of(kBare);
+  Joint& slider = twice.skeleton.joints[1];
+  slider.dofs.push_back(slider.dofs[0]);
+  slider.dofs[1].coordinate = twice.skeleton.coordinates.size();
+  slider.dofs[1].rest = 0;
+  twice.skeleton.coordinates.push_back({1, "again"});
+  twice.clip = with_columns(twice.clip, {0, 1, 2, 3, 4, 5, 0});
+  ASSERT_TRUE(validate(twice));
+  const Motion whole =
+      changed(twice, {.positions = shape::PositionChannels::RootAndOwn, .replaces_offsets = true});
+  EXPECT_EQ(channels_of(whole, 1), channels_of(whole, 0));
+  EXPECT_EQ(whole.clip.row(0)[7], 11);
+  EXPECT_LT(distance(twice, whole), 1e-12);
 }
 
 TEST(WithChannels, RootPutsPositionsThatStayIntoTheOffset) {

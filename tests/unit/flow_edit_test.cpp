@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "kinefile/operation.hpp"
 #include "support/flows.hpp"
 #include "support/support.hpp"
 
@@ -106,15 +107,130 @@ TEST(FlowEdit, TakesPairsFromAProject) {
   EXPECT_EQ(pairs[1].partner, 3u);
 }
 
-TEST(FlowEdit, PairsWhoseWordsAreAlikeAreInDoubt) {
-  // 0:1 opposite, 2:3 alike, 4:5 alike once and opposite once.
-  const PoseFlow flow = v1r4_of({start_block(1), pose_block(1, {7, -7, 9, 9, 3, 3}, 2),
-                                 pose_block(1, {0, 0, 5, 4, 2, -2}, 3), end_block()});
-  const auto doubtful =
-      flow::doubtful_pairs(flow, {{0, 1, -1}, {2, 3, -1}, {4, 5, -1}, {9, 8, -1}});
-  ASSERT_EQ(doubtful.size(), 1u);
-  EXPECT_EQ(doubtful[0].slider, 2u);
-  EXPECT_TRUE(flow::doubtful_pairs(flow, {{2, 3, 1}}).empty());
+/// A robot with pairs 0:1 and 2:3, slider 4 on its centre line and 5 on neither side.
+RobotProject paired_robot(const std::vector<std::int16_t>& home = {}) {
+  RobotProject project;
+  project.sliders.resize(6);
+  for (std::size_t s = 0; s < 4; ++s) {
+    project.sliders[s].pair = s % 2 == 0 ? PairKind::Left : PairKind::Right;
+    project.sliders[s].partner = static_cast<int>(s ^ 1);
+  }
+  project.sliders[4].pair = PairKind::Centre;
+  if (!home.empty()) project.base_poses.push_back({"home", home, {}});
+  return project;
+}
+
+/// What the poses of a flow show of the pair 0:1, by block: "alike 1, opposite 2, clear".
+std::string evidence_of(const std::vector<std::vector<int>>& poses,
+                        const std::vector<std::int16_t>& home = {}) {
+  std::vector<Block> blocks = {start_block(1)};
+  for (const std::vector<int>& words : poses) {
+    blocks.push_back(pose_block(1, words, static_cast<int>(blocks.size()) + 1));
+  }
+  blocks.push_back(end_block());
+  const PoseFlow flow = v1r4_of(blocks);
+  const RobotProject project = paired_robot(home);
+  const auto evidence =
+      flow::sign_evidence(flow, project, flow::mirror_pairs_of(project, flow.num_sliders))[0];
+  std::string text;
+  if (evidence.alike_block) text += "alike " + std::to_string(*evidence.alike_block) + " ";
+  if (evidence.opposite_block) text += "opposite " + std::to_string(*evidence.opposite_block) + " ";
+  return text + (evidence.is_clear ? "clear" : "unclear");
+}
+
+TEST(FlowEdit, SymmetricPosesShowTheSignsOfPairs) {
+  EXPECT_EQ(evidence_of({{2000, 2000, 0, 0, 0, 9000}}), "alike 1 clear");
+  EXPECT_EQ(evidence_of({{2000, -2000, 0, 0, 0, 0}}), "opposite 1 clear");
+  EXPECT_EQ(evidence_of({{0, 0, 0, 0, 0, 0}, {-5000, -4900, -3000, 3000, 0, 0}}), "alike 2 clear");
+  EXPECT_EQ(evidence_of({{2000, 2000, 0, 0, 0, 0}, {3000, -3000, 0, 0, 0, 0}}),
+            "alike 1 opposite 2 clear");
+}
+
+TEST(FlowEdit, PosesOfTwoSizesShowTheSignsOfPairs) {
+  EXPECT_EQ(evidence_of({{2000, 2000, 8000, 0, 0, 0}, {-3000, -3000, 8000, 0, 0, 0}}),
+            "alike 1 clear");
+  EXPECT_EQ(evidence_of({{2000, 2000, 8000, 0, 0, 0}, {-2000, -2000, 0, -8000, 0, 0}}),
+            "alike 1 unclear")
+      << "two steps";
+  EXPECT_EQ(evidence_of({{2000, 2000, 8000, 0, 0, 0}, {500, 500, 8000, 0, 0, 0}}),
+            "alike 1 unclear");
+}
+
+TEST(FlowEdit, OtherPosesDoNotShowSignsClearly) {
+  EXPECT_EQ(evidence_of({{2000, 2000, 8000, 0, 0, 0}}), "alike 1 unclear") << "one arm is raised";
+  EXPECT_EQ(evidence_of({{2000, 2000, 0, 0, 4000, 0}}), "alike 1 unclear") << "the head is turned";
+  EXPECT_EQ(evidence_of({{2000, 1500, 0, 0, 0, 0}}), "unclear") << "not of one size";
+  EXPECT_EQ(evidence_of({{900, 900, 0, 0, 0, 0}}), "unclear") << "within a 64th of the range";
+}
+
+TEST(FlowEdit, SignsAreShownByTheWayFromTheBasePose) {
+  EXPECT_EQ(evidence_of({{2300, 1750, 0, 0, 0, 0}}, {300, -250, 0, 0, 0, 0}), "alike 1 clear");
+  EXPECT_EQ(evidence_of({{2000, 2000, 0, 0, 0, 0}}, {0, 4000, 0, 0, 0, 0}), "opposite 1 clear");
+  EXPECT_EQ(evidence_of({{5000, 5000, 0, 0, 0, 0}}, {5000, 5000, 0, 0, 0, 0}), "unclear");
+}
+
+TEST(FlowEdit, DisabledSlidersShowNothing) {
+  PoseFlow flow =
+      v1r4_of({start_block(1), pose_block(1, {2000, 2000, 0, 0, 0, 0}, 2), end_block()});
+  pose_of(flow.blocks[1]).words[1].is_enabled = false;
+  const RobotProject project = paired_robot();
+  const auto evidence = flow::sign_evidence(flow, project, flow::mirror_pairs_of(project, 6));
+  ASSERT_EQ(evidence.size(), 3u);
+  for (const flow::SignEvidence& one : evidence) {
+    EXPECT_FALSE(one.alike_block || one.opposite_block || one.is_clear);
+  }
+}
+
+/// A flow that `mirror` changed with a robot's project, and what was reported.
+std::pair<std::string, std::vector<int>> mirrored_by_project(const std::string& word,
+                                                             std::vector<Block> blocks) {
+  Document document{v1r4_of(std::move(blocks)), "robovie", {}};
+  const auto operation = parse_operation(word);
+  EXPECT_TRUE(operation);
+  OperationContext context;
+  context.project = std::make_shared<const RobotProject>(paired_robot());
+  Diagnostics diagnostics;
+  const auto done = apply({&*operation, 1}, document, context, diagnostics);
+  const std::string text = done ? text_of(diagnostics) : to_string(done.error()) + "\n";
+  return {text, values_of(std::get<PoseFlow>(document.content).blocks[1])};
+}
+
+TEST(FlowEdit, AMirrorTakesTheSignsThatWordsShowUnlessTheyAreGiven) {
+  const std::vector<Block> blocks = {start_block(1), pose_block(1, {2000, 2000, 30, 20, 7, 5}, 2),
+                                     end_block()};
+  const auto [text, values] = mirrored_by_project("mirror", blocks);
+  EXPECT_EQ(text,
+            "note[FLW017]: the project does not say whether a pair changes its sign; the words "
+            "of poses show it: mirror=0:1:1\n");
+  EXPECT_EQ(values, (std::vector<int>{2000, 2000, -20, -30, -7, 5}));
+  const auto [told, given] = mirrored_by_project("mirror=0:1:-1", blocks);
+  EXPECT_EQ(told, "");
+  EXPECT_EQ(given, (std::vector<int>{-2000, -2000, -20, -30, -7, 5}));
+}
+
+TEST(FlowEdit, AMirrorKeepsTheDefaultInDoubt) {
+  const auto [text, values] = mirrored_by_project(
+      "mirror", {start_block(1), pose_block(1, {2000, 2000, 9000, 20, 7, 5}, 2), end_block()});
+  EXPECT_EQ(
+      text,
+      "warning[FLW015]: the project does not say whether a pair changes its sign; some are "
+      "taken to, though the words of both sides are alike in one pose, which is not symmetric: "
+      "mirror=0:1:1 keeps their sign\n");
+  EXPECT_EQ(values, (std::vector<int>{-2000, -2000, -20, -9000, -7, 5}));
+}
+
+TEST(FlowEdit, AMirrorRefusesSignsThatContradictEachOther) {
+  const std::vector<Block> blocks = {
+      start_block(1), pose_block(1, {2000, 2000, 3000, 3000, 0, 0}, 2),
+      pose_block(1, {3000, -3000, -2000, 2000, 0, 0}, 3), end_block()};
+  EXPECT_EQ(mirrored_by_project("mirror", blocks).first,
+            "error[FLW018]: mirror: the project does not say whether a pair changes its sign, and "
+            "the words contradict each other: sliders 0 and 1 are alike in block 1 and opposite in "
+            "block 2; sliders 2 and 3 are alike in block 1 and opposite in block 2; "
+            "mirror=A:B:SIGN says it\n");
+  const auto [text, values] = mirrored_by_project("mirror=0:1:1,2:3:-1", blocks);
+  EXPECT_EQ(text, "");
+  EXPECT_EQ(values, (std::vector<int>{2000, 2000, -3000, -3000, 0, 0}));
 }
 
 TEST(FlowEdit, AReverseKeepsTheTimesBetweenPoses) {

@@ -211,6 +211,7 @@ Format format() {
   format.conventions.writes = kWrites;
   format.conventions.angle_unit = AngleUnit::Degrees;
   format.conventions.turns_at_rest = false;
+  format.conventions.has_whole_channels = true;
   format.read_options = kReadOptions;
   format.write_options = kWriteOptions;
   return format;

@@ -209,6 +209,19 @@ TEST(SeqTimed, SlerpTurnsPosesTheShortestWayInEveryOrderOfNumbers) {
   expect_eighth(middle("1, 0, 0, 0", "-" + s + ", 0, 0, -" + s, "XYZQWQXQYQZ"));
 }
 
+TEST(SeqTimed, SlerpTakesAQuaternionOfZerosForNoRotation) {
+  const auto read = read_seq(
+      seq_of(
+          {poses({"[ 0, [ 0, 0, 0, 0, 0, 0, 0 ] ]", "[ 0.2, [ 0, 0, 0, 0, 0, 0, 1 ] ]"}, kTimed)}),
+      rounded(TimedRounding::Slerp));
+  const Component& links = components_of(read)[0];
+  ASSERT_EQ(links.num_frames, 3u);
+  EXPECT_EQ(links.row(0)[3], 0) << "numbers that are there stay";
+  const double half = std::sqrt(0.5);
+  EXPECT_NEAR(links.row(1)[3], half, 1e-15);
+  EXPECT_NEAR(links.row(1)[6], half, 1e-15);
+}
+
 TEST(SeqTimed, SlerpKeepsTheBitsOfFramesThatAreThere) {
   const ReadText read = read_seq(first_joint({{"0", "0.1"}, {"0.1", "0.3"}, {"0.2", "1e-300"}}),
                                  rounded(TimedRounding::Slerp));

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "formats/body/codes.hpp"
 #include "text/numbers.hpp"
+#include "text/scanner.hpp"
 
 namespace kinefile::body {
 namespace {
@@ -28,6 +30,12 @@ std::optional<double> number_of(const Node& node) {
   const text::Number number = text::parse_number(node.text);
   const bool is_good = number.fault == text::NumberFault::None && std::isfinite(number.value);
   return is_good ? std::optional(number.value) : std::nullopt;
+}
+
+/// Whether a text is infinity as YAML spells it, not as Choreonoid does.
+bool is_yaml_infinity(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return text::equals_ignoring_case(text, ".inf");
 }
 
 /// The numbers of a list; empty if it contains something else.
@@ -89,6 +97,19 @@ std::optional<double> Values::number(const Node& node, std::string_view what) {
   if (value) return value;
   error(node, code::kBadValue,
         fmt::format("expected a finite number as {}, found {}", what, found(node)));
+  return std::nullopt;
+}
+
+std::optional<double> Values::limit(const Node& node) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const text::Number number =
+      node.kind == NodeKind::Scalar ? text::parse_number(node.text) : text::Number{};
+  const bool is_number = node.kind == NodeKind::Scalar && number.fault == text::NumberFault::None;
+  if (is_number && !std::isnan(number.value)) return number.value;
+  const bool is_large = number.fault == text::NumberFault::OutOfRange;
+  if (is_large || node.text == "unlimited" || is_yaml_infinity(node.text)) return kInfinity;
+  error(node, code::kBadValue,
+        fmt::format("expected a number or inf as a limit, found {}", found(node)));
   return std::nullopt;
 }
 

@@ -26,6 +26,8 @@ struct Values {
   std::optional<std::string> word(const text::yaml::Node& node, std::string_view what);
   /// A finite number.
   std::optional<double> number(const text::yaml::Node& node, std::string_view what);
+  /// A limit of a joint: a number, or one of either sign that is infinite, which is no limit.
+  std::optional<double> limit(const text::yaml::Node& node);
   /// A list of `count` finite numbers.
   std::optional<std::vector<double>> numbers(const text::yaml::Node& node, std::string_view what,
                                              std::size_t count);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include "formats/robots/robots.hpp"
 
@@ -105,6 +106,47 @@ TEST(Body, LengthsOfPrismaticJointsAreNoAngles) {
   EXPECT_EQ(joint.dofs[0].rest, 0.5);
   EXPECT_EQ(joint.dofs[0].max_speed, 2);
   EXPECT_EQ(joint.dofs[0].axis, Vec3(0, -1, 0));
+}
+
+TEST(Body, InfiniteLimitsAreNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto limits_of = [](const std::string& keys) {
+    const DegreeOfFreedom& dof = joint_b("    joint_type: revolute\n" + keys).dofs.at(0);
+    return std::vector<double>{dof.lower, dof.upper, dof.max_speed};
+  };
+  for (const char* word : {"inf", "-inf", "Infinity", "1e999", ".inf", "-.Inf", "unlimited"}) {
+    const std::string limit = word;
+    EXPECT_EQ(limits_of("    joint_range: [ 0, " + limit + " ]\n"),
+              (std::vector<double>{0, kInfinity, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_range: [ " + limit + ", 0 ]\n"),
+              (std::vector<double>{-kInfinity, 0, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_range: " + limit + "\n    max_joint_velocity: " + limit + "\n"),
+              (std::vector<double>{-kInfinity, kInfinity, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_velocity_range: [ -1, " + limit + " ]\n")[2], kInfinity) << word;
+  }
+  for (const char* word : {"nan", ".nan", "", "[]"}) {
+    const ReadText read = read_robot(
+        "body", body_with(std::string("  - name: A\n  - name: B\n    parent: A\n    joint_type: "
+                                      "revolute\n    joint_range: [ 0, ") +
+                          word + " ]\n"));
+    EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"BDY004"}) << word;
+  }
+}
+
+TEST(Body, ANodeOfASubBodyTakesLimitsAway) {
+  ReadOptions options;
+  options.companions =
+      files_of({{"p.body", body_with("  - { name: P, joint_type: revolute, joint_range: 5 }\n")}});
+  const Document document = robot_of(
+      "body",
+      body_with("  - name: A\n  - { type: SubBody, uri: p.body, parent: A, joint_range: inf }\n"),
+      options);
+  const DegreeOfFreedom& dof = skeleton_of(document).joints.at(1).dofs.at(0);
+  EXPECT_TRUE(std::isinf(dof.lower) && dof.lower < 0);
+  EXPECT_TRUE(std::isinf(dof.upper) && dof.upper > 0);
 }
 
 TEST(Body, AJointTurnsBehindItsOwnRotation) {

@@ -48,6 +48,28 @@ TEST(Wrl, ThePrototypeGivesTheDefaults) {
   EXPECT_EQ(dof.coordinate, 7u);
 }
 
+TEST(Wrl, InfiniteLimitsAreNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Document document =
+      robot_of("wrl",
+               "#VRML V2.0 utf8\nPROTO Joint [\n field SFString jointType \"slide\"\n"
+               " field MFFloat ulimit 2 field MFFloat llimit [ -1 ] field MFFloat uvlimit 3 ] { }\n"
+               "Humanoid { humanoidBody DEF A Joint { children [\n"
+               "  DEF B Joint { ulimit inf llimit [ -inf, 0 ] uvlimit [ 1e999 ] }\n"
+               "  DEF C Joint { ulimit [ -INF ] llimit +Infinity lvlimit -inf }\n"
+               "  DEF D Joint { ulimit [ ] }\n] } }\n");
+  for (std::size_t j = 1; j < 4; ++j) {
+    const DegreeOfFreedom& dof = skeleton_of(document).joints.at(j).dofs.at(0);
+    EXPECT_EQ(dof.upper, j < 3 ? kInfinity : 2) << j;
+    EXPECT_EQ(dof.lower, j < 3 ? -kInfinity : -1) << j;
+    EXPECT_EQ(dof.max_speed, j < 3 ? kInfinity : 3) << j;
+  }
+  const ReadText read = read_robot(
+      "wrl",
+      "#VRML V2.0 utf8\nHumanoid { humanoidBody DEF A Joint { jointType \"free\" ulimit nan } }\n");
+  EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"WRL004"});
+}
+
 TEST(Wrl, TooManyLinksAreRefused) {
   std::string text = "#VRML V2.0 utf8\nHumanoid { humanoidBody [\n";
   for (int i = 0; i < 10'001; ++i) {

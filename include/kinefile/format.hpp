@@ -39,7 +39,7 @@ struct CompanionFile {
 /// memory. A function that is absent finds nothing.
 struct Resolver {
   /// Opens a file by its name, relative to the one that is read, case-insensitively; never one
-  /// above its folder.
+  /// outside of its folder and of the folder that the caller allows (`ReadOptions::model_root`).
   std::function<std::optional<CompanionFile>(const std::string& name)> open = {};
   /// The names of the files with this extension in the folder of the one that is read, sorted.
   std::function<std::vector<std::string>(std::string_view extension)> list = {};
@@ -62,6 +62,9 @@ struct ReadOptions {
   std::shared_ptr<const Document> skeleton = nullptr;
   std::string skeleton_name = {};  ///< a path, and its name in diagnostics
   Resolver companions = {};
+  /// A folder above that of a robot's model, in which and below which files that the model names
+  /// may be; empty: in its own folder and below. `read_file` makes `companions` by it.
+  std::string model_root = {};
   /// For a flow: the robot's project, to convert degrees and to check words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
   FormatOptions of_formats = {};  ///< options of single formats: `bvh::ReadOptions`, ...

@@ -32,6 +32,7 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
   skeleton_options.lenient = options.lenient;
   skeleton_options.of_formats = options.of_formats;
   skeleton_options.metres_per_unit = options.metres_per_unit;
+  skeleton_options.model_root = options.model_root;
   auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
   options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
@@ -114,7 +115,14 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
   const auto bytes = FileBytes::open(path);
   const std::string source_name = path == "-" ? "<stdin>" : path;
   if (!bytes) return fail(bytes.error());
-  if (path != "-" && !options.companions.open) options.companions = files_beside(path);
+  std::error_code fault;
+  if (!options.model_root.empty() && !std::filesystem::is_directory(options.model_root, fault)) {
+    return fail(make_error(ErrorKind::Usage, "IO004", "expected a folder as the model root",
+                           options.model_root));
+  }
+  if (path != "-" && !options.companions.open) {
+    options.companions = files_beside(path, options.model_root);
+  }
   return read_bytes(bytes->view(), source_name, format, std::move(options), diagnostics);
 }
 

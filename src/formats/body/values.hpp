@@ -31,7 +31,8 @@ struct Values {
   /// A list of `count` finite numbers.
   std::optional<std::vector<double>> numbers(const text::yaml::Node& node, std::string_view what,
                                              std::size_t count);
-  /// A list of `count` finite numbers, or a list of such lists.
+  /// A list of `count` finite numbers, or a list of such lists, which may be lists of lists, too;
+  /// all in the order of the file.
   std::optional<std::vector<std::vector<double>>> rows(const text::yaml::Node& node,
                                                        std::string_view what, std::size_t count);
   /// A list of finite numbers of any length.

@@ -14,6 +14,7 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
+#include "text/yaml/top_entries.hpp"
 
 namespace kinefile::choreonoid {
 namespace {
@@ -81,33 +82,18 @@ constexpr std::array<WriteOption, 5> kWriteOptions = {
 
 constexpr Kinds kWrites = {.body_motions = true};
 
-/// Looks for the type at the top of the file, among the keys that come before its components.
+/// Looks for the type at the top of the file.
 bool probe(std::string_view head) {
   Diagnostics ignored;
   const auto decoded = text::decode(head, {}, {}, ignored);
   if (!decoded) return false;
-  text::yaml::Parser parser(decoded->view());
-  text::yaml::Event event;
-  std::size_t depth = 0;
-  bool is_key = true;
-  bool is_type = false;
-  while (parser.next(event) && event.kind != text::yaml::EventKind::StreamEnd) {
-    using text::yaml::EventKind;
-    const bool starts =
-        event.kind == EventKind::MappingStart || event.kind == EventKind::SequenceStart;
-    const bool ends = event.kind == EventKind::MappingEnd || event.kind == EventKind::SequenceEnd;
-    if (depth == 0 && event.kind == EventKind::SequenceStart) return false;
-    if (depth == 1 && event.kind == EventKind::Scalar) {
-      if (is_type && !is_key) return event.value == "CompositeSeq" || event.value == "BodyMotion";
-      is_type = is_key && event.value == "type";
-    }
-    if (starts) ++depth;
-    if (ends && --depth == 0) return false;
-    if (depth == 1 && (event.kind == EventKind::Scalar || event.kind == EventKind::Alias || ends)) {
-      is_key = !is_key;
-    }
-  }
-  return false;
+  bool is_body_motion = false;
+  text::yaml::visit_top_entries(
+      decoded->view(), [&is_body_motion](std::string_view key, std::string_view value) {
+        is_body_motion = key == "type" && (value == "CompositeSeq" || value == "BodyMotion");
+        return key != "type";
+      });
+  return is_body_motion;
 }
 
 /// Reports repeated components: Choreonoid uses the last.

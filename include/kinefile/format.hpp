@@ -118,6 +118,14 @@ struct Fact {
   std::string words;  ///< for people: "line ends lf"; empty if the value does not fit on a line
 };
 
+/// A format that is not read, but whose files are often given where another is expected.
+struct ForeignFormat {
+  std::string_view extension;  ///< with the dot, lower case
+  /// Whether a file that starts with these bytes is certainly of this format; null: never.
+  bool (*probe)(std::string_view head) = nullptr;
+  std::string_view advice;  ///< what it is and what to do with it, in one sentence
+};
+
 /// A file format: its name and how it is read and written.
 struct Format {
   std::string_view name;
@@ -128,6 +136,9 @@ struct Format {
 
   /// Whether a file that starts with these bytes is certainly of this format; null: never.
   bool (*probe)(std::string_view head) = nullptr;
+
+  /// Formats whose files are taken for those of this one.
+  std::span<const ForeignFormat> foreign = {};
 
   /// Reads a document; null if the format is write-only. On failure every error is in
   /// `diagnostics`, and the first of them is returned.
@@ -189,6 +200,12 @@ const Format* find_format(std::string_view name);
 /// The format that a file's first bytes show; otherwise the one of its name's extension; otherwise
 /// null.
 const Format* detect_format(std::string_view head, std::string_view file_name);
+
+/// The foreign format that a file's first bytes show, or, if `detected` is null, its name; null if
+/// the content shows the detected format, or there is none.
+/// \param detected  of `detect_format`
+const ForeignFormat* find_foreign(std::string_view head, std::string_view file_name,
+                                  const Format* detected);
 
 /// The format of a file name's extension, or null.
 const Format* format_of_name(std::string_view file_name);

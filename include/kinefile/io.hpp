@@ -42,7 +42,8 @@ Resolver files_beside(const std::string& path, const std::string& root = {});
 /// Reads a document from bytes.
 /// \param name    its name in diagnostics; its extension gives the format if the content does not
 /// \param format  null: found from the content, then from the name
-/// \errors FMT001 (InvalidInput) if its format is not known, those of the reader
+/// \errors FMT001 or FMT008 (InvalidInput) if its format is not known or known not to be read,
+/// those of the reader
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics);
 
@@ -51,7 +52,7 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
 ///                which diagnostics call <stdin>
 /// \param format  null: found from the content, then from the extension
 /// \errors IO001 if the file cannot be read, IO004 (Usage) if `options.model_root` is no folder,
-/// FMT001 if its format is not known, those of the reader
+/// FMT001 or FMT008 as `read_bytes`, those of the reader
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 

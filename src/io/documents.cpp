@@ -90,7 +90,15 @@ Result<void> write_one(const std::string& name, const Document& document, const 
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics) {
   options.source_name = name;
-  if (format == nullptr) format = detect_format(bytes.substr(0, kHeadBytes), name);
+  if (format == nullptr) {
+    const std::string_view head = bytes.substr(0, kHeadBytes);
+    format = detect_format(head, name);
+    if (const ForeignFormat* foreign = find_foreign(head, name, format)) {
+      return fail(make_error(
+          ErrorKind::InvalidInput, "FMT008",
+          fmt::format("expected a file that can be read, found {}", foreign->advice), name));
+    }
+  }
   if (format == nullptr || format->read == nullptr) {
     const std::string readable =
         names_of_formats([](const Format& known) { return known.read != nullptr; });

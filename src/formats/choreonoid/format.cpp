@@ -82,19 +82,30 @@ constexpr std::array<WriteOption, 5> kWriteOptions = {
 
 constexpr Kinds kWrites = {.body_motions = true};
 
-/// Looks for the type at the top of the file.
-bool probe(std::string_view head) {
+/// The type at the top of a file; empty if there is none.
+std::string type_at_top(std::string_view head) {
   Diagnostics ignored;
   const auto decoded = text::decode(head, {}, {}, ignored);
-  if (!decoded) return false;
-  bool is_body_motion = false;
-  text::yaml::visit_top_entries(
-      decoded->view(), [&is_body_motion](std::string_view key, std::string_view value) {
-        is_body_motion = key == "type" && (value == "CompositeSeq" || value == "BodyMotion");
-        return key != "type";
-      });
-  return is_body_motion;
+  std::string type;
+  if (!decoded) return type;
+  text::yaml::visit_top_entries(decoded->view(),
+                                [&type](std::string_view key, std::string_view value) {
+                                  if (key == "type") type = value;
+                                  return key != "type";
+                                });
+  return type;
 }
+
+bool probe(std::string_view head) {
+  const std::string type = type_at_top(head);
+  return type == "CompositeSeq" || type == "BodyMotion";
+}
+
+constexpr std::array<ForeignFormat, 1> kForeign = {{
+    {".pseq", [](std::string_view head) { return type_at_top(head) == "PoseSeq"; },
+     "a sequence of Choreonoid's key poses (PoseSeq), between which Choreonoid alone interpolates; "
+     "generate its body motion there and save that as .seq"},
+}};
 
 /// Reports repeated components: Choreonoid uses the last.
 void check_repeated(const Reader& reader, const SeqFile& file) {
@@ -244,6 +255,7 @@ Format format() {
   format.description = "Choreonoid's body motion: values, poses and vectors over time";
   format.extensions = kExtensions;
   format.probe = probe;
+  format.foreign = kForeign;
   format.read = read;
   format.write = write;
   format.facts = facts;

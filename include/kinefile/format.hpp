@@ -58,6 +58,9 @@ struct ReadOptions {
   std::optional<double> metres_per_unit = std::nullopt;
   TimedRounding timed_rounding = TimedRounding::Ceil;
   bool keeps_times = false;  ///< frames keep their own times
+  /// They also keep them where the file gives no rate to import them at, which is otherwise an
+  /// error: for callers that only look at a file.
+  bool keeps_times_without_rate = false;
   /// For motions that need one; if null, `read_file` reads it from `skeleton_name`.
   std::shared_ptr<const Document> skeleton = nullptr;
   std::string skeleton_name = {};  ///< a path, and its name in diagnostics

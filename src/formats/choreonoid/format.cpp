@@ -179,6 +179,17 @@ void check_names(const Reader& reader, const SeqFile& file) {
   }
 }
 
+/// Whether frames keep their times because there is no rate to import them at; a note tells so.
+bool keeps_times_for_lack_of_rate(const Reader& reader, const SeqComponent& component) {
+  const bool has_rate = reader.options.fps || component.frame_rate;
+  if (has_rate || !reader.options.keeps_times_without_rate) return false;
+  reader.tell(Severity::Note, code::kNoTimedRate,
+              "there is no frameRate, at which the frames with times are imported; here they keep "
+              "their times, other commands need --fps or --keep-times",
+              component.at);
+  return true;
+}
+
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
@@ -191,7 +202,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   for (SeqComponent& component : file.components) {
     if (diagnostics.has_errors()) break;
     if (!component.has_times) continue;
-    if (options.keeps_times) {
+    if (options.keeps_times || keeps_times_for_lack_of_rate(reader, component)) {
       check_kept_times(reader, component);
     } else {
       resample_timed(reader, component);

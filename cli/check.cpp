@@ -130,6 +130,7 @@ void add_check(CLI::App& app, Globals& globals) {
       ->required();
   command->add_flag("--json", check->is_json, "Print an array with an object a fault");
   add_reading_options(*command, check->reading);
+  check->reading.options.keeps_times_without_rate = true;
   command->callback(
       [check, &globals] { globals.run = [check, &globals] { return run(*check, globals); }; });
 }

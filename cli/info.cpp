@@ -311,6 +311,7 @@ void add_info(CLI::App& app, Globals& globals) {
                     "Of a flow of servo poses: also print its poses, with --project in degrees");
   command->add_flag("--json", options->is_json, "Print an array with an object a file");
   add_reading_options(*command, options->reading);
+  options->reading.options.keeps_times_without_rate = true;
   command->callback([options, &globals] {
     globals.run = [options, &globals] { return run(*options, globals); };
   });

@@ -39,7 +39,7 @@ struct CompanionFile {
 /// memory. A function that is absent finds nothing.
 struct Resolver {
   /// Opens a file by its name, relative to the one that is read, case-insensitively; never one
-  /// above its folder.
+  /// outside of its folder and of the folder that the caller allows (`ReadOptions::model_root`).
   std::function<std::optional<CompanionFile>(const std::string& name)> open = {};
   /// The names of the files with this extension in the folder of the one that is read, sorted.
   std::function<std::vector<std::string>(std::string_view extension)> list = {};
@@ -60,10 +60,16 @@ struct ReadOptions {
   std::optional<std::size_t> up = std::nullopt;
   TimedRounding timed_rounding = TimedRounding::Ceil;
   bool keeps_times = false;  ///< frames keep their own times
+  /// They also keep them where the file gives no rate to import them at, which is otherwise an
+  /// error: for callers that only look at a file.
+  bool keeps_times_without_rate = false;
   /// For motions that need one; if null, `read_file` reads it from `skeleton_name`.
   std::shared_ptr<const Document> skeleton = nullptr;
   std::string skeleton_name = {};  ///< a path, and its name in diagnostics
   Resolver companions = {};
+  /// A folder above that of a robot's model, in which and below which files that the model names
+  /// may be; empty: in its own folder and below. `read_file` makes `companions` by it.
+  std::string model_root = {};
   /// For a flow: the robot's project, to convert degrees and to check words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
   FormatOptions of_formats = {};  ///< options of single formats: `bvh::ReadOptions`, ...
@@ -120,6 +126,14 @@ struct Fact {
   std::string words;  ///< for people: "line ends lf"; empty if the value does not fit on a line
 };
 
+/// A format that is not read, but whose files are often given where another is expected.
+struct ForeignFormat {
+  std::string_view extension;  ///< with the dot, lower case
+  /// Whether a file that starts with these bytes is certainly of this format; null: never.
+  bool (*probe)(std::string_view head) = nullptr;
+  std::string_view advice;  ///< what it is and what to do with it, in one sentence
+};
+
 /// A file format: its name and how it is read and written.
 struct Format {
   std::string_view name;
@@ -130,6 +144,9 @@ struct Format {
 
   /// Whether a file that starts with these bytes is certainly of this format; null: never.
   bool (*probe)(std::string_view head) = nullptr;
+
+  /// Formats whose files are taken for those of this one.
+  std::span<const ForeignFormat> foreign = {};
 
   /// Reads a document; null if the format is write-only. On failure every error is in
   /// `diagnostics`, and the first of them is returned.
@@ -191,6 +208,12 @@ const Format* find_format(std::string_view name);
 /// The format that a file's first bytes show; otherwise the one of its name's extension; otherwise
 /// null.
 const Format* detect_format(std::string_view head, std::string_view file_name);
+
+/// The foreign format that a file's first bytes show, or, if `detected` is null, its name; null if
+/// the content shows the detected format, or there is none.
+/// \param detected  of `detect_format`
+const ForeignFormat* find_foreign(std::string_view head, std::string_view file_name,
+                                  const Format* detected);
 
 /// The format of a file name's extension, or null.
 const Format* format_of_name(std::string_view file_name);

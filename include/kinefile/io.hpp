@@ -35,12 +35,15 @@ class FileBytes {
 
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
 /// cannot make its reader open other files.
-Resolver files_beside(const std::string& path);
+/// \param root  a folder in which and below which files may be, too, wherever links lead; empty:
+///              none
+Resolver files_beside(const std::string& path, const std::string& root = {});
 
 /// Reads a document from bytes.
 /// \param name    its name in diagnostics; its extension gives the format if the content does not
 /// \param format  null: found from the content, then from the name
-/// \errors FMT001 (InvalidInput) if its format is not known, those of the reader
+/// \errors FMT001 or FMT008 (InvalidInput) if its format is not known or known not to be read,
+/// those of the reader
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics);
 
@@ -48,7 +51,8 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
 /// \param name    a path; the stem of a set of files if `format` is one; "-" is standard input,
 ///                which diagnostics call <stdin>
 /// \param format  null: found from the content, then from the extension
-/// \errors IO001 if the file cannot be read, FMT001 if its format is not known, those of the reader
+/// \errors IO001 if the file cannot be read, IO004 (Usage) if `options.model_root` is no folder,
+/// FMT001 or FMT008 as `read_bytes`, those of the reader
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 

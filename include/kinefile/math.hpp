@@ -46,6 +46,11 @@ Vec3 euler_angles(const Mat3& rotation, const EulerAxes& axes, const Vec3& near 
 /// The angle between two rotations, in radians, 0 to pi.
 double angle_between(const Quat& a, const Quat& b);
 
+/// The unit quaternion in the direction of `q`, also where its numbers are so large or so small
+/// that a double does not hold the square of its length. Zero, which has no direction, gives the
+/// identity; numbers that are not finite give NaN.
+Quat unit_quaternion(const Quat& q);
+
 /// The same rotation as `q`, with the sign that is nearer to `near`.
 Quat on_side_of(const Quat& q, const Quat& near);
 

@@ -72,6 +72,14 @@ inline constexpr ReadOption kUpIn = {
       return true;
     }};
 
+inline constexpr ReadOption kModelRoot = words::option<&ReadOptions::model_root>({
+    .name = "model-root",
+    .type = OptionType::File,
+    .value_name = "DIR",
+    .help = "A folder above a robot's model (.body) that its parts may lie in; else they lie in "
+            "the model's own folder or below it",
+});
+
 inline constexpr OptionInfo kProjectInfo = {
     .name = "project",
     .type = OptionType::File,

@@ -66,6 +66,20 @@ const Format* format_of_name(std::string_view file_name) {
   return nullptr;
 }
 
+const ForeignFormat* find_foreign(std::string_view head, std::string_view file_name,
+                                  const Format* detected) {
+  if (detected != nullptr && detected->probe != nullptr && detected->probe(head)) return nullptr;
+  const std::string lower = lowered(file_name);
+  const ForeignFormat* by_name = nullptr;
+  for (const Format& format : formats()) {
+    for (const ForeignFormat& foreign : format.foreign) {
+      if (foreign.probe != nullptr && foreign.probe(head)) return &foreign;
+      if (lower.ends_with(foreign.extension)) by_name = &foreign;
+    }
+  }
+  return detected == nullptr ? by_name : nullptr;
+}
+
 const Format* detect_format(std::string_view head, std::string_view file_name) {
   for (const Format& format : formats()) {
     if (format.probe != nullptr && format.probe(head)) return &format;

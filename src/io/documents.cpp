@@ -33,6 +33,7 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
   skeleton_options.of_formats = options.of_formats;
   skeleton_options.metres_per_unit = options.metres_per_unit;
   skeleton_options.up = options.up;
+  skeleton_options.model_root = options.model_root;
   auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
   options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
@@ -90,7 +91,15 @@ Result<void> write_one(const std::string& name, const Document& document, const 
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics) {
   options.source_name = name;
-  if (format == nullptr) format = detect_format(bytes.substr(0, kHeadBytes), name);
+  if (format == nullptr) {
+    const std::string_view head = bytes.substr(0, kHeadBytes);
+    format = detect_format(head, name);
+    if (const ForeignFormat* foreign = find_foreign(head, name, format)) {
+      return fail(make_error(
+          ErrorKind::InvalidInput, "FMT008",
+          fmt::format("expected a file that can be read, found {}", foreign->advice), name));
+    }
+  }
   if (format == nullptr || format->read == nullptr) {
     const std::string readable =
         names_of_formats([](const Format& known) { return known.read != nullptr; });
@@ -115,7 +124,14 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
   const auto bytes = FileBytes::open(path);
   const std::string source_name = path == "-" ? "<stdin>" : path;
   if (!bytes) return fail(bytes.error());
-  if (path != "-" && !options.companions.open) options.companions = files_beside(path);
+  std::error_code fault;
+  if (!options.model_root.empty() && !std::filesystem::is_directory(options.model_root, fault)) {
+    return fail(make_error(ErrorKind::Usage, "IO004", "expected a folder as the model root",
+                           options.model_root));
+  }
+  if (path != "-" && !options.companions.open) {
+    options.companions = files_beside(path, options.model_root);
+  }
   return read_bytes(bytes->view(), source_name, format, std::move(options), diagnostics);
 }
 

@@ -31,7 +31,7 @@ Mat3 rotation_of_quaternion(const simd::PlannedJoint& joint, std::span<const dou
   constexpr double kRoundedSquare = 1e-8;
   const Quat q = quaternion_in_row(joint, row);
   const bool is_unit = std::abs(q.squaredNorm() - 1) <= kRoundedSquare;
-  return (is_unit ? q : Quat(Quat::Coefficients(q.coeffs() / q.norm()))).toRotationMatrix();
+  return (is_unit ? q : unit_quaternion(q)).toRotationMatrix();
 }
 
 /// The rotation vector of a joint, in radians.

@@ -150,13 +150,13 @@ Quat whole_rotation_in_row(const DegreeOfFreedom& dof, std::span<const double> r
                            AngleUnit unit) {
   const double* first = &row[dof.coordinate];
   if (dof.kind == DofKind::RotationVector) return quaternion_of_vector(Vec3(first), unit);
-  return Quat(first[0], first[1], first[2], first[3]).normalized();
+  return unit_quaternion({first[0], first[1], first[2], first[3]});
 }
 
 Quat rotation_at_rest(const Joint& joint, AngleUnit unit) {
   if (moves_freely(joint)) {
     const auto& rest = joint.free_rest;
-    return Quat(rest[3], rest[4], rest[5], rest[6]).normalized();
+    return unit_quaternion({rest[3], rest[4], rest[5], rest[6]});
   }
   Quat product = Quat::Identity();
   for (const DegreeOfFreedom& dof : joint.dofs) {

@@ -31,6 +31,18 @@ Quat slerp_one_way(const Quat& a, const Quat& b, double t) {
 
 }  // namespace
 
+Quat unit_quaternion(const Quat& q) {
+  constexpr double kLeastSquare = 1e-200, kLargestSquare = 1e200;  // within them no digit is lost
+  const double square = q.squaredNorm();
+  if (square >= kLeastSquare && square <= kLargestSquare) {
+    return Quat(Quat::Coefficients(q.coeffs() / std::sqrt(square)));
+  }
+  const double largest = q.coeffs().cwiseAbs().maxCoeff();
+  if (square == 0 && largest == 0) return Quat::Identity();
+  const Quat::Coefficients scaled = q.coeffs() / largest;
+  return Quat(Quat::Coefficients(scaled / scaled.norm()));
+}
+
 Quat on_side_of(const Quat& q, const Quat& near) { return q.dot(near) < 0 ? negated(q) : q; }
 
 Quat slerp(const Quat& a, const Quat& b, double t) { return slerp_one_way(a, on_side_of(b, a), t); }

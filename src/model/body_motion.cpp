@@ -49,7 +49,7 @@ Array<double> poses_as_roll_pitch_yaw(const Component& component) {
     Vec3 near = Vec3::Zero();
     for (std::size_t f = 0; f < component.num_frames; ++f) {
       const auto pose = component.row(f).subspan(p * 7, 7);
-      const Quat q = Quat(pose[3], pose[4], pose[5], pose[6]).normalized();
+      const Quat q = unit_quaternion({pose[3], pose[4], pose[5], pose[6]});
       near = euler_angles(q.toRotationMatrix(), axes, near);
       double* out = written.data() + (f * component.num_parts + p) * 6;
       std::copy(pose.begin(), pose.begin() + 3, out);

@@ -142,23 +142,12 @@ void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& jo
   }
 }
 
-/// The rotation in a row, of unit length; NaN for a quaternion of length 0, which is not a
-/// rotation.
-Quat rotation_of_row(const WholeRotation& whole, std::span<const double> row) {
-  if (whole.dof.kind == DofKind::RotationVector) {
-    return whole_rotation_in_row(whole.dof, row, whole.unit);
-  }
-  const double* q = &row[whole.dof.coordinate];
-  const Quat given(q[0], q[1], q[2], q[3]);
-  return Quat(Quat::Coefficients(given.coeffs() / given.norm()));
-}
-
 void turn_as_whole(const Clip& old_clip, const Batch& batch, const WholeRotation& whole,
                    RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
   resize(work.old_rotations, batch.old_frames.size());
   for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
-    put_quaternion(rotation_of_row(whole, old_clip.row(batch.old_frames[i])), i,
-                   work.old_rotations);
+    const auto row = old_clip.row(batch.old_frames[i]);
+    put_quaternion(whole_rotation_in_row(whole.dof, row, whole.unit), i, work.old_rotations);
   }
   interpolate(batch, rotation, work);
   const Rows rows = new_clip.mutate();

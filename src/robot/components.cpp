@@ -170,10 +170,9 @@ struct FreedJoint {
 /// The axes of the angles that replace a free joint's quaternion.
 EulerAxes freed_axes() { return {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()}; }
 
-/// The rotation of a free pose; identity if its quaternion is zero.
+/// The rotation of a free pose.
 Quat rotation_of_pose(std::span<const double> pose) {
-  const Quat q(pose[3], pose[4], pose[5], pose[6]);
-  return q.squaredNorm() > 0 ? q.normalized() : Quat::Identity();
+  return unit_quaternion({pose[3], pose[4], pose[5], pose[6]});
 }
 
 /// Converts the free poses of a joint to positions and angles, each near the previous ones.

@@ -21,8 +21,7 @@ double angle_about(const Quat& q, const Vec3& axis, double near) {
 
 Quat rotation_of(const Component& links, std::span<const double> pose) {
   const auto q = quaternion_of_pose(links.pose_form, pose);
-  const Quat rotation(q[0], q[1], q[2], q[3]);
-  return rotation.squaredNorm() > 0 ? rotation.normalized() : Quat::Identity();
+  return unit_quaternion({q[0], q[1], q[2], q[3]});
 }
 
 namespace {

@@ -137,15 +137,43 @@ void apply_turn(MatrixLanes& rotation, const Turn& turn, const Block& block, boo
 /// quaternion.
 constexpr double kRoundedSquare = 1e-8;
 
+/// Whether the squared length of a quaternion lost no digits for being too large or too small.
+inline bool is_ordinary_square(double square) { return square >= 1e-200 && square <= 1e200; }
+
+/// Scales the quaternions whose squared length a double does not hold to numbers of up to 1. One of
+/// length 0 becomes the identity: Choreonoid, too, makes the identity's matrix of it.
+void rescale_extremes(std::array<Lanes, 4>& q, const Lanes& square) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    if (is_ordinary_square(square.v[i])) continue;
+    double largest = 0;
+    for (std::size_t k = 0; k < 4; ++k) largest = std::max(largest, std::abs(q[k].v[i]));
+    if (largest == 0 && square.v[i] == 0) q[0].v[i] = largest = 1;
+    for (std::size_t k = 0; k < 4; ++k) q[k].v[i] /= largest;
+  }
+}
+
+void squared_lengths(const std::array<Lanes, 4>& q, Lanes& square) {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    square.v[i] = q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i] + q[2].v[i] * q[2].v[i] +
+                  q[3].v[i] * q[3].v[i];
+  }
+}
+
 /// A rotation from a quaternion, which is normalised only here.
 void apply_quaternion(MatrixLanes& rotation, std::size_t coordinate, const Block& block) {
   std::array<Lanes, 4> q;
   for (std::size_t k = 0; k < 4; ++k) block.load(coordinate + k, q[k]);
+  Lanes square;
+  squared_lengths(q, square);
+  bool are_ordinary = true;
+  for (std::size_t i = 0; i < kBlock; ++i) are_ordinary &= is_ordinary_square(square.v[i]);
+  if (!are_ordinary) {
+    rescale_extremes(q, square);
+    squared_lengths(q, square);
+  }
   MatrixLanes factor;
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const double square = q[0].v[i] * q[0].v[i] + q[1].v[i] * q[1].v[i] + q[2].v[i] * q[2].v[i] +
-                          q[3].v[i] * q[3].v[i];
-    const double length = std::abs(square - 1) <= kRoundedSquare ? 1 : std::sqrt(square);
+    const double length = std::abs(square.v[i] - 1) <= kRoundedSquare ? 1 : std::sqrt(square.v[i]);
     const double w = q[0].v[i] / length;
     const double x = q[1].v[i] / length;
     const double y = q[2].v[i] / length;

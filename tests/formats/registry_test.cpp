@@ -31,6 +31,23 @@ TEST(Registry, FindsFormats) {
   EXPECT_EQ(detect_format("what", "x"), nullptr);
 }
 
+/// The extension of the foreign format that a file is of; empty if it is of none.
+std::string_view foreign_of(std::string_view head, std::string_view name) {
+  const ForeignFormat* foreign = find_foreign(head, name, detect_format(head, name));
+  return foreign == nullptr ? std::string_view() : foreign->extension;
+}
+
+TEST(Registry, KnowsFormatsThatAreNotReadByContentThenByName) {
+  const std::string poses = "# Body pose sequence format version 1.0\n\ntype: PoseSeq\nrefs:\n";
+  for (const char* name : {"a.pseq", "a.yaml", "a.seq", "a"}) {
+    EXPECT_EQ(foreign_of(poses, name), ".pseq") << name;
+  }
+  EXPECT_EQ(foreign_of("what", "A.PSEQ"), ".pseq");
+  EXPECT_EQ(foreign_of("type: CompositeSeq\n", "a.pseq"), "") << "the content counts";
+  EXPECT_EQ(foreign_of("type: Other\n", "a.yaml"), "");
+  EXPECT_EQ(foreign_of("what", "a.csv"), "");
+}
+
 TEST(Json, ShowsSkeletonColumnsAndValues) {
   const auto read = test::read_bvh(test::bvh_with_rows({"1 2 3 nan inf 0 -inf 0 -0"}));
   const std::string text = test::write_to_string(*read.document, "json");

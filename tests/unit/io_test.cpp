@@ -139,6 +139,54 @@ TEST_F(Disk, FindsTheFormatByContentThenByName) {
       "json is only written, not read; what is read: bvh, asf, amc"));
 }
 
+TEST_F(Disk, FilesOutsideOfAFolderAreFoundBelowTheRootAlone) {
+  for (const char* name : {"top/arm", "top/hand", "other"}) fs::create_directories(folder_ / name);
+  put("top/hand/Hand.body", "hand");
+  put("top/arm/own.body", "own");
+  put("other/tip.body", "tip");
+  fs::create_directory_symlink(path("other"), path("top/link"));
+  const std::string arm = path("top/arm/arm.body");
+  const auto opens = [](const Resolver& files, const std::string& name) {
+    return files.open(name).has_value();
+  };
+  const Resolver own = files_beside(arm);
+  EXPECT_TRUE(opens(own, "own.body"));
+  EXPECT_FALSE(opens(own, "../hand/Hand.body"));
+  for (const char* root : {"top", "top/", "top/hand/..", "."}) {
+    const Resolver files = files_beside(arm, path(root));
+    EXPECT_TRUE(opens(files, "own.body")) << root;
+    EXPECT_TRUE(opens(files, "../hand/Hand.body")) << root;
+    EXPECT_TRUE(opens(files, "../hand/hand.BODY")) << root;
+    EXPECT_TRUE(opens(files, path("top/hand/Hand.body"))) << root;
+    EXPECT_FALSE(opens(files, "../hand/none.body")) << root;
+    EXPECT_FALSE(opens(files, std::string("../hand/Hand.body\0", 18))) << root;
+    EXPECT_FALSE(opens(files, "")) << root;
+    EXPECT_FALSE(opens(files, "../hand")) << root;
+  }
+  const Resolver top = files_beside(arm, path("top"));
+  for (const std::string& name : {std::string("../../other/tip.body"), path("other/tip.body"),
+                                  std::string("../link/tip.body")}) {
+    EXPECT_FALSE(opens(top, name)) << name;
+    EXPECT_TRUE(opens(files_beside(arm, folder_), name)) << name;
+  }
+  EXPECT_FALSE(opens(files_beside(arm, path("top/han")), "../hand/Hand.body"));
+}
+
+TEST_F(Disk, TheModelRootIsAFolder) {
+  put("a.body", "format: ChoreonoidBody\nformat_version: 2.0\nlinks: [ { name: A } ]\n");
+  Diagnostics diagnostics;
+  ReadOptions options;
+  for (const std::string& root : {path("a.body"), path("none")}) {
+    options.model_root = root;
+    const auto read = read_file(path("a.body"), nullptr, options, diagnostics);
+    ASSERT_FALSE(read) << root;
+    EXPECT_EQ(read.error().code, "IO004");
+    EXPECT_EQ(read.error().kind, ErrorKind::Usage);
+  }
+  options.model_root = folder_;
+  EXPECT_TRUE(read_file(path("a.body"), nullptr, options, diagnostics));
+}
+
 TEST_F(Disk, RefusedDocumentsLeaveNoFile) {
   Document document;
   document.content = Skeleton{};

@@ -177,6 +177,23 @@ TEST(ForwardKinematics, FreeRootNormalisesItsQuaternionAndLeavesTheClipAlone) {
   EXPECT_EQ(clip.values, before.values);
 }
 
+TEST(ForwardKinematics, AQuaternionOfAnyLengthTurnsAndZeroTurnsNothing) {
+  Skeleton skeleton;
+  skeleton.joints.push_back(joint_at("base", kNoParent, {0, 0, 0}));
+  add_dof(skeleton, DofKind::Free, Vec3::UnitX());
+  skeleton.joints.push_back(joint_at("link", 0, {1, 0, 0}));
+  const Clip clip = clip_of(skeleton, {0, 0, 0, 1e200,  0, 0, 1e200,  0, 0, 0, 1e-200, 0, 0, 1e-200,
+                                       0, 0, 0, 5e-324, 0, 0, 5e-324, 0, 0, 0, 0,      0, 0, 0,
+                                       0, 0, 0, 1,      0, 0, -1,     0, 0, 0, NAN,    0, 0, 1});
+  const WorldPoses poses = forward_kinematics(skeleton, clip, kAll);
+  for (const std::size_t frame : {0u, 1u, 2u}) {
+    EXPECT_LT((position_of(poses, frame, 1) - Vec3(0, 1, 0)).norm(), 1e-15) << frame;
+  }
+  EXPECT_EQ(position_of(poses, 3, 1), Vec3(1, 0, 0));
+  EXPECT_LT((position_of(poses, 4, 1) - Vec3(0, -1, 0)).norm(), 1e-15);
+  EXPECT_TRUE(std::isnan(position_of(poses, 5, 1).x()));
+}
+
 TEST(ForwardKinematics, SharedCoordinatesMoveSeveralJoints) {
   Skeleton skeleton;
   skeleton.joints.push_back(joint_at("a", kNoParent, {0, 0, 0}));

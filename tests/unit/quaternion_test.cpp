@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "kinefile/math.hpp"
@@ -26,6 +27,26 @@ class RandomQuats {
   std::mt19937_64 random_{11};
   std::normal_distribution<double> normal_;
 };
+
+TEST(UnitQuaternion, KeepsTheDirectionOfAnyLength) {
+  const Quat expected = turn(Vec3(2, -1, 2) / 3, 0.7);
+  for (const double length : {1.0, 2.0, 1e-5, 1e150, 1e200, 1e308, 1e-150, 1e-200, 1e-300}) {
+    const Quat scaled(Quat::Coefficients(length * expected.coeffs()));
+    EXPECT_LT(distance(unit_quaternion(scaled), expected), 3e-16) << length;
+    EXPECT_LT(distance(unit_quaternion(negated(scaled)), negated(expected)), 3e-16) << length;
+  }
+  // A number so small that a double has few digits of it.
+  EXPECT_EQ(unit_quaternion({0, 0, 5e-324, 0}).coeffs(), Quat(0, 0, 1, 0).coeffs());
+}
+
+TEST(UnitQuaternion, ZeroTurnsNothingAndNanIsNoRotation) {
+  EXPECT_EQ(unit_quaternion({0, -0.0, 0, 0}).coeffs(), Quat::Identity().coeffs());
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double broken : {std::nan(""), infinity, -infinity}) {
+    const Quat result = unit_quaternion({broken, 0, 0, 0});
+    for (Eigen::Index k = 0; k < 4; ++k) EXPECT_FALSE(std::isfinite(result.coeffs()[k])) << k;
+  }
+}
 
 TEST(Slerp, TurnsAtAConstantRate) {
   RandomQuats random;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
@@ -50,6 +51,14 @@ Motion halfway(const Motion& motion) {
   map.old_frames = {0.5};
   Diagnostics diagnostics;
   return retime::apply(motion, map, {}, diagnostics).value();
+}
+
+TEST(WholeRotations, AQuaternionOfNoLengthIsInterpolatedAsNoRotation) {
+  const double half = std::sqrt(0.5);
+  const Motion motion = turning(DofKind::Ball, AngleUnit::Degrees,
+                                {{0, 0, 0, 0}, {1e200 * half, 0, 0, 1e200 * half}});
+  const double eighth = std::numbers::pi / 8;
+  expect_near(row_of(halfway(motion), 0), {std::cos(eighth), 0, 0, std::sin(eighth)});
 }
 
 TEST(WholeRotations, ColumnsAreNamedByWhatTheyHold) {

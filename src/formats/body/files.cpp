@@ -19,6 +19,9 @@ constexpr std::size_t kMostOpenFiles = 16;
 /// The largest number of files of a robot.
 constexpr std::size_t kMostFiles = 1000;
 
+/// How much of a file that a wrapper names is looked at for its format.
+constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
+
 /// The part of a path up to its last slash.
 std::string folder_of(const std::string& name) {
   return name.substr(0, name.find_last_of('/') + 1);  // npos + 1 is 0
@@ -65,19 +68,36 @@ const File* Files::read_first(std::string_view bytes) {
 std::string Files::name_beside(const File& file, std::string_view uri) {
   constexpr std::string_view kScheme = "file://";
   if (uri.starts_with(kScheme)) uri.remove_prefix(kScheme.size());
-  return normalised(file.folder + with_slashes(std::string(uri)));
+  const std::string name = with_slashes(std::string(uri));
+  return name.starts_with('/') ? name : normalised(file.folder + name);
+}
+
+std::optional<CompanionFile> Files::look_for(const std::string& name) const {
+  return options_.companions.open ? options_.companions.open(name) : std::nullopt;
+}
+
+const Format* Files::format_of(const std::string& name) const {
+  const auto found = look_for(name);
+  return found ? detect_format(found->bytes.substr(0, kHeadBytes), name) : format_of_name(name);
 }
 
 std::optional<CompanionFile> Files::find(const std::string& name, const robot_file::Spot& spot) {
-  std::optional<CompanionFile> found;
-  if (options_.companions.open) found = options_.companions.open(name);
-  if (!found) {
-    spot.report(diagnostics_, Severity::Error, code::kFileNotFound,
-                fmt::format("expected the file {} in the folder of the file that is read or below "
-                            "it, found none",
-                            text::quoted(name)));
-  }
+  auto found = look_for(name);
+  if (!found)
+    spot.report(diagnostics_, Severity::Error, code::kFileNotFound, words_of_missing(name));
   return found;
+}
+
+std::string Files::words_of_missing(const std::string& name) const {
+  const std::string& root = options_.model_root;
+  std::string words = fmt::format("expected the file {} in the folder {} or below it, found none",
+                                  text::quoted(name),
+                                  root.empty() ? "of the file that is read" : text::quoted(root));
+  const bool leads_out = name.starts_with("../") || name.starts_with('/');
+  if (leads_out && root.empty()) {
+    words += "; --model-root names a folder above it that parts may lie in";
+  }
+  return words;
 }
 
 const File* Files::open(const std::string& name, const robot_file::Spot& spot) {
@@ -149,7 +169,7 @@ Wrapped follow_wrappers(const File* file, Files& files) {
     const auto uri = values.word(*node, "the name of a model file");
     if (!uri) return wrapped;
     const std::string name = Files::name_beside(*file, *uri);
-    const Format* format = format_of_name(name);
+    const Format* format = files.format_of(name);
     if (format != nullptr && format->read != nullptr && format->name != "body") {
       wrapped.other_format = format;
       wrapped.other_name = name;

@@ -44,6 +44,9 @@ class Files {
   /// Finds a file that another file names; empty after an error.
   std::optional<CompanionFile> find(const std::string& name, const robot_file::Spot& spot);
 
+  /// The format of a file that another file names, or null; by its name alone if there is none.
+  const Format* format_of(const std::string& name) const;
+
   /// The robot of a file; null after an error.
   /// \param spot  where the file is named
   const robot_file::Robot* robot(const File& file, const robot_file::Spot& spot);
@@ -52,6 +55,8 @@ class Files {
   Diagnostics& diagnostics() { return diagnostics_; }
 
  private:
+  std::optional<CompanionFile> look_for(const std::string& name) const;
+  std::string words_of_missing(const std::string& name) const;
   const File* read(std::string name, std::string_view bytes, const std::string& encoding,
                    std::shared_ptr<const void> owner, const std::string& source_name);
 

@@ -10,21 +10,19 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/numbers.hpp"
+#include "text/yaml/top_entries.hpp"
 
 namespace kinefile::body {
 namespace {
 
 constexpr std::array<std::string_view, 1> kExtensions = {".body"};
-constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
+constexpr std::array<ReadOption, 2> kReadOptions = {options::kEncoding, options::kModelRoot};
 
 /// Whether this character can be between a key and its value, in YAML's two styles.
 bool joins_key_and_value(char c) { return text::is_blank(c) || c == ':' || c == '"' || c == '\''; }
 
-bool probe(std::string_view head) {
-  Diagnostics ignored;
-  const auto decoded = text::decode(head, {}, {}, ignored);
-  if (!decoded) return false;
-  const std::string_view view = decoded->view();
+/// Whether a text names its format at the start of a line or of a mapping.
+bool names_format(std::string_view view) {
   constexpr std::string_view kKey = "format";
   for (std::size_t at = view.find("ChoreonoidBody"); at != std::string_view::npos;
        at = view.find("ChoreonoidBody", at + 1)) {
@@ -36,6 +34,32 @@ bool probe(std::string_view head) {
     if (before.empty() || text::is_line_end(before.back()) || before.back() == '{') return true;
   }
   return false;
+}
+
+/// Whether a text is a wrapper of a model file, whatever its extension: older ones are .yaml files.
+bool is_wrapper(std::string_view view) {
+  const auto is_model_file = [](std::string_view key) {
+    return key == "modelFile" || key == "model_file";
+  };
+  // Most texts need not be parsed.
+  if (view.find("modelFile") == std::string_view::npos &&
+      view.find("model_file") == std::string_view::npos) {
+    return false;
+  }
+  bool names_model = false;
+  bool is_other = false;
+  text::yaml::visit_top_entries(view, [&](std::string_view key, std::string_view value) {
+    names_model = names_model || (is_model_file(key) && !value.empty());
+    is_other = key == "type" || key == "components" || key == "format";
+    return !is_other;
+  });
+  return names_model && !is_other;
+}
+
+bool probe(std::string_view head) {
+  Diagnostics ignored;
+  const auto decoded = text::decode(head, {}, {}, ignored);
+  return decoded && (names_format(decoded->view()) || is_wrapper(decoded->view()));
 }
 
 /// Reads the model of another format that a wrapper names.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/words.hpp"
 #include "formats/body/codes.hpp"
@@ -150,39 +151,53 @@ bool read_displacement(Values& values, const Node& node, Link& link) {
   return true;
 }
 
-/// A limit in the joint's unit; "unlimited" leaves it unchanged.
-bool read_limit(Values& values, const Node& value, const Link& link, double& limit) {
-  if (value.text == "unlimited") return true;
-  const auto number = values.number(value, "a limit");
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// A limit in the joint's unit.
+/// \param none  what an infinite one becomes, whatever its sign
+bool read_limit(Values& values, const Node& value, const Link& link, double none, double& limit) {
+  const auto number = values.limit(value);
   if (!number) return false;
-  limit = link.type == JointType::Revolute ? values.radians(*number) : *number;
+  const bool is_angle = link.type == JointType::Revolute;
+  limit = std::isinf(*number) ? none : is_angle ? values.radians(*number) : *number;
   return true;
+}
+
+/// A list of two limits.
+/// \param wanted  what is expected, for a message
+bool read_both(Values& values, const Node& node, std::string_view wanted, const Link& link,
+               double& lower, double& upper) {
+  if (node.kind != NodeKind::Sequence || node.children.size() != 2) {
+    return fail(values, node, code::kBadValue, fmt::format("expected {}", wanted));
+  }
+  return read_limit(values, *node.children[0], link, -kUnlimited, lower) &&
+         read_limit(values, *node.children[1], link, kUnlimited, upper);
 }
 
 bool read_range(Values& values, const Node& node, Link& link) {
   const Node* value = find_any(node, {"joint_range", "jointRange"});
   if (value == nullptr) return true;
   if (value->kind == NodeKind::Scalar) {
-    if (!read_limit(values, *value, link, link.upper)) return false;
+    if (!read_limit(values, *value, link, kUnlimited, link.upper)) return false;
     link.lower = -link.upper;
     return true;
   }
-  if (value->kind != NodeKind::Sequence || value->children.size() != 2) {
-    return fail(values, *value, code::kBadValue, "expected two numbers or one as joint_range");
-  }
-  return read_limit(values, *value->children[0], link, link.lower) &&
-         read_limit(values, *value->children[1], link, link.upper);
+  return read_both(values, *value, "two numbers or one as joint_range", link, link.lower,
+                   link.upper);
 }
 
 bool read_speed(Values& values, const Node& node, Link& link) {
   const Node* value = find_any(node, {"max_joint_velocity", "maxJointVelocity"});
-  if (value != nullptr && !read_limit(values, *value, link, link.max_speed)) return false;
+  if (value != nullptr && !read_limit(values, *value, link, kUnlimited, link.max_speed)) {
+    return false;
+  }
   const Node* range = find_any(node, {"joint_velocity_range", "jointVelocityRange"});
   if (range != nullptr) {
-    const auto both = values.numbers(*range, "joint_velocity_range", 2);
-    if (!both) return false;
-    const double speed = std::max(std::abs((*both)[0]), std::abs((*both)[1]));
-    link.max_speed = link.type == JointType::Revolute ? values.radians(speed) : speed;
+    double slowest = 0;
+    double fastest = 0;
+    if (!read_both(values, *range, "two numbers as joint_velocity_range", link, slowest, fastest))
+      return false;
+    link.max_speed = std::max(std::abs(slowest), std::abs(fastest));
   }
   link.max_speed = std::abs(link.max_speed);
   return true;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "formats/body/codes.hpp"
 #include "text/numbers.hpp"
+#include "text/scanner.hpp"
 
 namespace kinefile::body {
 namespace {
@@ -30,6 +32,12 @@ std::optional<double> number_of(const Node& node) {
   return is_good ? std::optional(number.value) : std::nullopt;
 }
 
+/// Whether a text is infinity as YAML spells it, not as Choreonoid does.
+bool is_yaml_infinity(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return text::equals_ignoring_case(text, ".inf");
+}
+
 /// The numbers of a list; empty if it contains something else.
 std::optional<Row> row_of(const Node& node) {
   if (node.kind != NodeKind::Sequence || node.rows) return std::nullopt;
@@ -42,34 +50,42 @@ std::optional<Row> row_of(const Node& node) {
   return row;
 }
 
-/// The lists in a list; the YAML reader stores some of them as rows without nodes.
-std::optional<std::vector<Row>> rows_of(const Node& node, const text::yaml::Tree& tree) {
-  std::vector<Row> rows;
-  if (!node.rows) {
-    for (const Node* child : node.children) {
-      auto row = row_of(*child);
-      if (!row) return std::nullopt;
-      rows.push_back(std::move(*row));
-    }
-    return rows;
+/// Adds the groups of a row that the YAML reader read without nodes, each as a row of its own.
+bool add_groups(const text::yaml::RowShape& shape, const double* values, std::vector<Row>& rows) {
+  const bool is_one_list = shape.empty() || (shape.size() == 1 && shape[0] > 0);
+  for (const std::int32_t group : shape) {
+    if (group > 0 && !is_one_list) return false;  // numbers beside lists
+    const auto count = group == text::yaml::kEmptyGroup ? 0 : std::abs(group);
+    rows.emplace_back(values, values + count);
+    values += count;
   }
-  auto next = node.rows->values.begin();
-  for (const auto& entry : node.rows->entries) {
-    std::optional<Row> row = Row();
-    if (entry.node != nullptr) {
-      row = row_of(*entry.node);
-    } else {
-      const auto& shape = tree.shape(entry.shape);
-      const bool is_flat = shape.empty() || (shape.size() == 1 && shape[0] > 0);
-      if (!is_flat) return std::nullopt;
-      const auto end = next + (shape.empty() ? 0 : shape[0]);
-      row->assign(next, end);
-      next = end;
-    }
-    if (!row) return std::nullopt;
-    rows.push_back(std::move(*row));
+  if (shape.empty()) rows.emplace_back();
+  return true;
+}
+
+/// Adds the lists of numbers in a list, of any depth, in their order; false if there is something
+/// else in it. The YAML reader stores some of them as rows without nodes.
+bool add_rows(const Node& node, const text::yaml::Tree& tree, std::vector<Row>& rows) {
+  if (node.kind != NodeKind::Sequence) return false;
+  if (node.rows) {
+    const double* next = node.rows->values.data();
+    return std::all_of(node.rows->entries.begin(), node.rows->entries.end(),
+                       [&](const auto& entry) {
+                         if (entry.node != nullptr) return add_rows(*entry.node, tree, rows);
+                         const double* const values = next;
+                         next += tree.num_values(entry.shape);
+                         return add_groups(tree.shape(entry.shape), values, rows);
+                       });
   }
-  return rows;
+  const bool has_lists =
+      !node.children.empty() && node.children.front()->kind == NodeKind::Sequence;
+  if (has_lists) {
+    return std::all_of(node.children.begin(), node.children.end(),
+                       [&](const Node* child) { return add_rows(*child, tree, rows); });
+  }
+  auto row = row_of(node);
+  if (row) rows.push_back(std::move(*row));
+  return row.has_value();
 }
 
 }  // namespace
@@ -89,6 +105,19 @@ std::optional<double> Values::number(const Node& node, std::string_view what) {
   if (value) return value;
   error(node, code::kBadValue,
         fmt::format("expected a finite number as {}, found {}", what, found(node)));
+  return std::nullopt;
+}
+
+std::optional<double> Values::limit(const Node& node) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const text::Number number =
+      node.kind == NodeKind::Scalar ? text::parse_number(node.text) : text::Number{};
+  const bool is_number = node.kind == NodeKind::Scalar && number.fault == text::NumberFault::None;
+  if (is_number && !std::isnan(number.value)) return number.value;
+  const bool is_large = number.fault == text::NumberFault::OutOfRange;
+  if (is_large || node.text == "unlimited" || is_yaml_infinity(node.text)) return kInfinity;
+  error(node, code::kBadValue,
+        fmt::format("expected a number or inf as a limit, found {}", found(node)));
   return std::nullopt;
 }
 
@@ -119,9 +148,9 @@ std::optional<std::vector<Row>> Values::rows(const Node& node, std::string_view 
       if (!row) return std::nullopt;
       return std::vector<Row>{std::move(*row)};
     }
-    auto all = rows_of(node, tree);
+    std::vector<Row> all;
     const auto is_right = [count](const Row& row) { return row.size() == count; };
-    if (all && std::all_of(all->begin(), all->end(), is_right)) return all;
+    if (add_rows(node, tree, all) && std::all_of(all.begin(), all.end(), is_right)) return all;
   }
   error(node, code::kBadValue,
         fmt::format("expected {} finite numbers as {}, or a list of such lists, found {}", count,

@@ -26,10 +26,13 @@ struct Values {
   std::optional<std::string> word(const text::yaml::Node& node, std::string_view what);
   /// A finite number.
   std::optional<double> number(const text::yaml::Node& node, std::string_view what);
+  /// A limit of a joint: a number, or one of either sign that is infinite, which is no limit.
+  std::optional<double> limit(const text::yaml::Node& node);
   /// A list of `count` finite numbers.
   std::optional<std::vector<double>> numbers(const text::yaml::Node& node, std::string_view what,
                                              std::size_t count);
-  /// A list of `count` finite numbers, or a list of such lists.
+  /// A list of `count` finite numbers, or a list of such lists, which may be lists of lists, too;
+  /// all in the order of the file.
   std::optional<std::vector<std::vector<double>>> rows(const text::yaml::Node& node,
                                                        std::string_view what, std::size_t count);
   /// A list of finite numbers of any length.

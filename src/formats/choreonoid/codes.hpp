@@ -32,5 +32,7 @@ inline constexpr char kCommentsDropped[] = "SEQ025";
 inline constexpr char kRateSnapped[] = "SEQ026";
 inline constexpr char kCannotWrite[] = "SEQ027";
 inline constexpr char kRateFound[] = "SEQ028";
+inline constexpr char kNoRotation[] = "SEQ029";
+inline constexpr char kOtherLength[] = "SEQ030";
 
 }  // namespace kinefile::choreonoid::code

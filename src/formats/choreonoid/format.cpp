@@ -14,6 +14,7 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
+#include "text/yaml/top_entries.hpp"
 
 namespace kinefile::choreonoid {
 namespace {
@@ -81,34 +82,30 @@ constexpr std::array<WriteOption, 5> kWriteOptions = {
 
 constexpr Kinds kWrites = {.body_motions = true};
 
-/// Looks for the type at the top of the file, among the keys that come before its components.
-bool probe(std::string_view head) {
+/// The type at the top of a file; empty if there is none.
+std::string type_at_top(std::string_view head) {
   Diagnostics ignored;
   const auto decoded = text::decode(head, {}, {}, ignored);
-  if (!decoded) return false;
-  text::yaml::Parser parser(decoded->view());
-  text::yaml::Event event;
-  std::size_t depth = 0;
-  bool is_key = true;
-  bool is_type = false;
-  while (parser.next(event) && event.kind != text::yaml::EventKind::StreamEnd) {
-    using text::yaml::EventKind;
-    const bool starts =
-        event.kind == EventKind::MappingStart || event.kind == EventKind::SequenceStart;
-    const bool ends = event.kind == EventKind::MappingEnd || event.kind == EventKind::SequenceEnd;
-    if (depth == 0 && event.kind == EventKind::SequenceStart) return false;
-    if (depth == 1 && event.kind == EventKind::Scalar) {
-      if (is_type && !is_key) return event.value == "CompositeSeq" || event.value == "BodyMotion";
-      is_type = is_key && event.value == "type";
-    }
-    if (starts) ++depth;
-    if (ends && --depth == 0) return false;
-    if (depth == 1 && (event.kind == EventKind::Scalar || event.kind == EventKind::Alias || ends)) {
-      is_key = !is_key;
-    }
-  }
-  return false;
+  std::string type;
+  if (!decoded) return type;
+  text::yaml::visit_top_entries(decoded->view(),
+                                [&type](std::string_view key, std::string_view value) {
+                                  if (key == "type") type = value;
+                                  return key != "type";
+                                });
+  return type;
 }
+
+bool probe(std::string_view head) {
+  const std::string type = type_at_top(head);
+  return type == "CompositeSeq" || type == "BodyMotion";
+}
+
+constexpr std::array<ForeignFormat, 1> kForeign = {{
+    {".pseq", [](std::string_view head) { return type_at_top(head) == "PoseSeq"; },
+     "a sequence of Choreonoid's key poses (PoseSeq), between which Choreonoid alone interpolates; "
+     "generate its body motion there and save that as .seq"},
+}};
 
 /// Reports repeated components: Choreonoid uses the last.
 void check_repeated(const Reader& reader, const SeqFile& file) {
@@ -182,6 +179,17 @@ void check_names(const Reader& reader, const SeqFile& file) {
   }
 }
 
+/// Whether frames keep their times because there is no rate to import them at; a note tells so.
+bool keeps_times_for_lack_of_rate(const Reader& reader, const SeqComponent& component) {
+  const bool has_rate = reader.options.fps || component.frame_rate;
+  if (has_rate || !reader.options.keeps_times_without_rate) return false;
+  reader.tell(Severity::Note, code::kNoTimedRate,
+              "there is no frameRate, at which the frames with times are imported; here they keep "
+              "their times, other commands need --fps or --keep-times",
+              component.at);
+  return true;
+}
+
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
@@ -194,7 +202,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   for (SeqComponent& component : file.components) {
     if (diagnostics.has_errors()) break;
     if (!component.has_times) continue;
-    if (options.keeps_times) {
+    if (options.keeps_times || keeps_times_for_lack_of_rate(reader, component)) {
       check_kept_times(reader, component);
     } else {
       resample_timed(reader, component);
@@ -258,6 +266,7 @@ Format format() {
   format.description = "Choreonoid's body motion: values, poses and vectors over time";
   format.extensions = kExtensions;
   format.probe = probe;
+  format.foreign = kForeign;
   format.read = read;
   format.write = write;
   format.facts = facts;

@@ -6,6 +6,7 @@
 
 #include "formats/choreonoid/codes.hpp"
 #include "formats/choreonoid/reader.hpp"
+#include "formats/quaternion_faults.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::choreonoid {
@@ -100,11 +101,13 @@ class FrameReader {
   void read(const Node& frames) {
     if (frames.rows) {
       read_rows(frames);
-      return;
+    } else {
+      component_.values.reserve(
+          std::min(frames.children.size() * component_.num_parts * width_, frames.size));
+      for (const Node* frame : frames.children) read_node(*frame);
     }
-    component_.values.reserve(
-        std::min(frames.children.size() * component_.num_parts * width_, frames.size));
-    for (const Node* frame : frames.children) read_node(*frame);
+    tell_quaternion_faults(reader_.source, faults_, component_.content,
+                           {code::kNoRotation, code::kOtherLength}, reader_.diagnostics);
   }
 
  private:
@@ -113,6 +116,9 @@ class FrameReader {
     if (!component_.has_times && all_fit(*rows)) {
       component_.values = std::move(rows->values);
       component_.num_frames = rows->entries.size();
+      for (std::size_t f = 0; f < component_.num_frames && has_quaternions(); ++f) {
+        look_at_quaternions(row_of(f), f, rows->entries[f].text.data(), faults_);
+      }
       return;
     }
     component_.values.reserve(rows->values.size());
@@ -145,8 +151,23 @@ class FrameReader {
       add_time(values[0], at);
       values = values.subspan(1);
     }
+    add_frame(values, at);
+  }
+
+  void add_frame(std::span<const double> values, const char* at) {
+    if (has_quaternions()) look_at_quaternions(values, component_.num_frames, at, faults_);
     component_.values.append(values);
     ++component_.num_frames;
+  }
+
+  bool has_quaternions() const {
+    return component_.kind == ComponentKind::Poses &&
+           component_.pose_order != PoseOrder::RollPitchYaw;
+  }
+
+  std::span<const double> row_of(std::size_t frame) const {
+    const std::size_t size = component_.num_parts * width_;
+    return {component_.values.data() + frame * size, size};
   }
 
   /// Whether a single pose lacks the brackets of the list around it.
@@ -211,8 +232,7 @@ class FrameReader {
       add_time(rest[0], frame.at);
       rest = rest.subspan(1);
     }
-    component_.values.append(rest);
-    ++component_.num_frames;
+    add_frame(rest, frame.at);
   }
 
   /// Collects the numbers of a frame and its shape. False after an error.
@@ -288,6 +308,7 @@ class FrameReader {
   SeqComponent& component_;
   std::size_t width_;
   RowShape shape_;  ///< of a correct frame
+  QuaternionFaults faults_;
 };
 
 }  // namespace

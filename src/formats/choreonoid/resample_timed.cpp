@@ -181,7 +181,7 @@ class Resampler {
       const auto q = quaternion_of_pose(form, pose);
       return Quat(q[0], q[1], q[2], q[3]);
     };
-    const Quat q = slerp(rotation(a).normalized(), rotation(b).normalized(), t);
+    const Quat q = slerp(unit_quaternion(rotation(a)), unit_quaternion(rotation(b)), t);
     if (order == PoseOrder::RollPitchYaw) {
       const EulerAxes axes = {Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
       const Vec3 angles = euler_angles(q.toRotationMatrix(), axes, Vec3(out[5], out[4], out[3]));

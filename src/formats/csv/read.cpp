@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "formats/csv/columns.hpp"
 #include "formats/csv/flow_table.hpp"
 #include "formats/files.hpp"
+#include "formats/quaternion_faults.hpp"
 #include "formats/table_rows.hpp"
 #include "text/csv_fields.hpp"
 #include "text/decode.hpp"
@@ -15,7 +18,9 @@ namespace kinefile::csv {
 namespace {
 
 /// Reads a number; false after an error.
-bool parse_value(const TableReader& reader, text::CsvFields& fields, std::vector<double>& values) {
+/// \param is_time  whether it is the time of its row, which is checked with the other times
+bool parse_value(const TableReader& reader, text::CsvFields& fields, bool is_time,
+                 std::vector<double>& values) {
   const char* const at = fields.position();
   const auto plain = fields.take_plain();
   const text::CsvField in_quotes = plain ? text::CsvField{} : fields.take_field();
@@ -29,6 +34,10 @@ bool parse_value(const TableReader& reader, text::CsvFields& fields, std::vector
         at);
     return false;
   }
+  if (!std::isfinite(number.value) && !is_time) {
+    text::report(reader.source, reader.diagnostics, Severity::Warning, "CSV019",
+                 fmt::format("expected a finite number, found {}", text::quoted(token)), at);
+  }
   values.push_back(number.value);
   return true;
 }
@@ -40,7 +49,7 @@ bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& r
     if (fields.take_line_end()) continue;  // an empty line
     std::size_t count = 0;
     do {
-      if (!parse_value(reader, fields, rows.values)) return false;
+      if (!parse_value(reader, fields, count == 0, rows.values)) return false;
       ++count;
     } while (fields.take_comma());
     if (count != rows.num_columns) {
@@ -83,6 +92,18 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   return component;
 }
 
+/// Reports quaternions that are no rotations or of another length than 1.
+void check_quaternions(const TableReader& reader, const Component& component,
+                       const TableRows& rows) {
+  if (component.kind != ComponentKind::Poses) return;
+  QuaternionFaults faults;
+  for (std::size_t f = 0; f < component.num_frames; ++f) {
+    look_at_quaternions(component.row(f), f, rows.starts[f], faults);
+  }
+  tell_quaternion_faults(reader.source, faults, component.content, {"CSV017", "CSV018"},
+                         reader.diagnostics);
+}
+
 /// Reads the components of a robot's motion after a header; empty after an error.
 std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& fields,
                                     const std::vector<text::CsvField>& header) {
@@ -96,6 +117,7 @@ std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& 
   BodyMotion motion;
   for (const Group& group : groups) {
     motion.components.push_back(component_of(group, *timeline, rows));
+    check_quaternions(reader, motion.components.back(), rows);
   }
   return motion;
 }

@@ -16,5 +16,7 @@ inline constexpr const char* kHipDiffers = "HRP009";
 inline constexpr const char* kNoRows = "HRP010";
 inline constexpr const char* kOtherTimes = "HRP011";
 inline constexpr const char* kLateStart = "HRP012";
+inline constexpr const char* kNotFinite = "HRP013";
+inline constexpr const char* kSpeedsLeftOut = "HRP014";
 
 }  // namespace kinefile::hrpsys::code

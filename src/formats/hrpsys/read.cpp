@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kPositionAlone = 3;
 constexpr std::size_t kPositionAndAngles = 6;
 constexpr std::size_t kPositionAndMatrix = 12;
+/// A matrix and six more numbers: what Choreonoid wrote until 2019.
+constexpr std::size_t kPositionMatrixAndSpeeds = 18;
 /// How far the product of a rotation matrix and its transpose may be from the identity: the
 /// rounding error of six digits in such files.
 constexpr double kRotationTolerance = 1e-3;
@@ -124,11 +126,17 @@ class SetReader {
       add_angles(start(motion, ComponentKind::Poses, kLinkPosition, *hip), nullptr, hip);
       return;
     }
-    constexpr auto kWords = "3 (x y z), 6 (and roll, pitch, yaw) or 12 (and a matrix)";
-    const auto counts = {kPositionAlone, kPositionAndAngles, kPositionAndMatrix};
+    constexpr auto kWords =
+        "3 (x y z), 6 (and roll, pitch, yaw), 12 (and a matrix) or 18 (and speeds)";
+    const auto counts = {kPositionAlone, kPositionAndAngles, kPositionAndMatrix,
+                         kPositionMatrixAndSpeeds};
     if (!has_columns(*waist, counts, kWords)) return;
     Component& component = start(motion, ComponentKind::Poses, kLinkPosition, *waist);
     switch (waist->table.num_values()) {
+      case kPositionMatrixAndSpeeds:
+        report(*waist, Severity::Note, code::kSpeedsLeftOut,
+               "the six numbers after the matrix, the root's speeds, are left out");
+        [[fallthrough]];
       case kPositionAndMatrix:
         add_matrices(component, *waist);
         break;

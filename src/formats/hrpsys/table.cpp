@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "formats/hrpsys/codes.hpp"
 #include "text/numbers.hpp"
@@ -28,6 +29,7 @@ struct TableParser {
   /// \returns the start of the next line; null after an error
   const char* parse_row(const char* p, std::vector<double>& values) {
     std::array<double, kPiece> piece;
+    const std::size_t time = values.size();  // which is checked with the other times
     while (true) {
       const text::NumberRow row = text::read_number_row(p, source.end(), piece.data(), kPiece);
       values.insert(values.end(), piece.begin(),
@@ -42,6 +44,11 @@ struct TableParser {
         error(code::kNotANumber, fmt::format("expected a number, found {}", text::quoted(token)),
               p);
         return nullptr;
+      }
+      if (!std::isfinite(number.value) && values.size() != time) {
+        text::report(source, diagnostics, Severity::Warning, code::kNotFinite,
+                     fmt::format("expected a finite number, found {}", text::quoted(token)),
+                     token.data());
       }
       values.push_back(number.value);
       p = scanner.position();

@@ -21,6 +21,8 @@ inline constexpr char kTooManyLinks[] = "URD010";
 inline constexpr char kIgnored[] = "URD011";
 inline constexpr char kNoLimit[] = "URD012";
 inline constexpr char kBadMimic[] = "URD013";
+inline constexpr char kXacro[] = "URD014";
+inline constexpr char kQuaternion[] = "URD015";
 
 /// Joint ids are counted here, so none is too large and none is repeated.
 inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,

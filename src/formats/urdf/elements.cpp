@@ -141,21 +141,36 @@ std::optional<double> Elements::number(const XMLElement& element, const char* at
   return number;
 }
 
+std::vector<double> Elements::finite_numbers(const XMLAttribute& attribute) const {
+  std::vector<double> numbers;
+  for (const std::string_view word : words_of(attribute.Value())) {
+    const auto number = finite_number(word);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 std::optional<Vec3> Elements::vector(const XMLElement& element, const char* attribute,
                                      const Vec3& fallback) {
   const XMLAttribute* found = element.FindAttribute(attribute);
   if (found == nullptr) return fallback;
-  const auto words = words_of(found->Value());
-  Vec3 vector = Vec3::Zero();
-  bool is_good = words.size() == 3;
-  for (std::size_t i = 0; is_good && i < 3; ++i) {
-    const auto number = finite_number(words[i]);
-    is_good = number.has_value();
-    vector[static_cast<Eigen::Index>(i)] = number.value_or(0);
-  }
-  if (is_good) return vector;
+  const auto numbers = finite_numbers(*found);
+  if (numbers.size() == 3) return Vec3(numbers.data());
   report(Severity::Error, spot(element, *found), code::kBadValue,
          fmt::format("expected three finite numbers as {}, found {}", attribute,
+                     text::quoted(found->Value())));
+  return std::nullopt;
+}
+
+std::optional<Quat> Elements::quaternion(const XMLElement& element, const char* attribute) {
+  const XMLAttribute* found = element.FindAttribute(attribute);
+  if (found == nullptr) return Quat::Identity();
+  const auto q = finite_numbers(*found);
+  const bool is_zero = std::all_of(q.begin(), q.end(), [](double number) { return number == 0; });
+  if (q.size() == 4 && !is_zero) return unit_quaternion({q[3], q[0], q[1], q[2]});
+  report(Severity::Error, spot(element, *found), code::kBadValue,
+         fmt::format("expected four finite numbers, not all 0, as {}, found {}", attribute,
                      text::quoted(found->Value())));
   return std::nullopt;
 }

@@ -36,6 +36,8 @@ class Elements {
   /// Three finite numbers.
   std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const char* attribute,
                              const Vec3& fallback);
+  /// Four finite numbers, not all 0, as x y z w.
+  std::optional<Quat> quaternion(const tinyxml2::XMLElement& element, const char* attribute);
 
   void report(Severity severity, const robot_file::Spot& spot, const char* code,
               std::string message) {
@@ -44,6 +46,7 @@ class Elements {
   Diagnostics& diagnostics() { return diagnostics_; }
 
  private:
+  std::vector<double> finite_numbers(const tinyxml2::XMLAttribute& attribute) const;
   const char* start_of_line(int line) const;
   robot_file::Spot find_in_line(int line, const std::string& word) const;
   void tell_fault();

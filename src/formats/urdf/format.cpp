@@ -24,18 +24,28 @@ bool skip(std::string_view& text, std::string_view start, std::string_view end) 
   return true;
 }
 
-bool probe(std::string_view head) {
+/// The name of the first element; empty if there is none.
+std::string root_element(std::string_view head) {
   Diagnostics ignored;
   const auto decoded = text::decode(head, {}, {}, ignored);
-  if (!decoded) return false;
+  if (!decoded) return {};
   std::string_view text = decoded->view();
   do {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  } while (skip(text, "<?", "?>") || skip(text, "<!--", "-->"));
-  constexpr std::string_view kRoot = "<robot";
-  return text.starts_with(kRoot) && text.size() > kRoot.size() &&
-         std::string_view(" \t\r\n>").find(text[kRoot.size()]) != std::string_view::npos;
+  } while (skip(text, "<?", "?>") || skip(text, "<!--", "-->") || skip(text, "<!DOCTYPE", ">"));
+  if (!text.starts_with('<')) return {};
+  text.remove_prefix(1);
+  const std::size_t end = text.find_first_of(" \t\r\n/>");
+  return end == std::string_view::npos ? std::string() : std::string(text.substr(0, end));
 }
+
+bool probe(std::string_view head) { return root_element(head) == "robot"; }
+
+constexpr std::array<ForeignFormat, 1> kForeign = {{
+    {".sdf", [](std::string_view head) { return root_element(head) == "sdf"; },
+     "SDFormat, which describes models and worlds for Gazebo; give the robot's URDF, or convert "
+     "the model with a tool such as sdf2urdf"},
+}};
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,
                             Diagnostics& diagnostics) {
@@ -55,6 +65,7 @@ std::vector<Format> formats() {
   format.description = "Unified Robot Description Format";
   format.extensions = kExtensions;
   format.probe = probe;
+  format.foreign = kForeign;
   format.read = read;
   format.facts = robot_file::facts;
   format.read_options = kReadOptions;

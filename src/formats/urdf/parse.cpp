@@ -3,17 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include "formats/urdf/codes.hpp"
 #include "formats/urdf/elements.hpp"
+#include "text/numbers.hpp"
 
 namespace kinefile::urdf {
 namespace {
 
 using robot_file::JointType;
 using robot_file::Link;
+using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 
 /// Roll, pitch and yaw: about the fixed axes x, y and z, in this order.
@@ -24,13 +27,35 @@ Quat rotation_of(const Vec3& rpy) {
   return (yaw * pitch * roll).normalized();
 }
 
+/// Whether the version of a file is 1.1 or later; none means 1.0.
+bool has_version_of_quaternions(const XMLElement& robot) {
+  const char* const attribute = robot.Attribute("version");
+  if (attribute == nullptr) return false;
+  const std::string_view version = attribute;
+  const std::size_t dot = std::min(version.find('.'), version.size());
+  const auto major = text::parse_count(version.substr(0, dot));
+  const auto minor = text::parse_count(version.substr(std::min(dot + 1, version.size())));
+  return major && (*major > 1 || (*major == 1 && minor.value_or(0) >= 1));
+}
+
+/// Whether an element says where a joint is, or what it joins; others need not be understood.
+bool is_of_joints(const XMLElement& element) {
+  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
+    const XMLElement* one = node->ToElement();
+    if (one != nullptr && one->Name() == std::string_view("joint")) return true;
+  }
+  const std::string_view name = element.Name();
+  return name == "robot" || name == "link";
+}
+
 class Parser {
  public:
   Parser(const text::Source& source, Diagnostics& diagnostics) : elements_(source, diagnostics) {}
 
   std::optional<robot_file::Robot> parse() {
     const XMLElement* root = elements_.read_root("robot");
-    if (root == nullptr) return std::nullopt;
+    if (root == nullptr || !check_expanded(*root)) return std::nullopt;
+    knows_quaternions_ = has_version_of_quaternions(*root);
     const char* name = root->Attribute("name");
     robot_.name = name == nullptr ? "" : name;
     // All links first, because joints may come before the links that they join.
@@ -74,6 +99,32 @@ class Parser {
 
   void warn(const XMLElement& element, const char* code, std::string message) {
     elements_.report(Severity::Warning, elements_.spot(element), code, std::move(message));
+  }
+
+  /// Reports the first element or attribute of a file that xacro must expand first.
+  bool check_expanded(const XMLElement& element) {
+    const std::string_view name = element.Name();
+    if (name.starts_with("xacro:")) return report_xacro(elements_.spot(element), element.Name());
+    for (const XMLAttribute* attribute = element.FirstAttribute(); attribute != nullptr;
+         attribute = attribute->Next()) {
+      const bool has_expression =
+          std::string_view(attribute->Value()).find("${") != std::string_view::npos;
+      if (!has_expression || !is_of_joints(element)) continue;
+      return report_xacro(elements_.spot(element, *attribute), attribute->Value());
+    }
+    for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      if (!check_expanded(*child)) return false;
+    }
+    return true;
+  }
+
+  bool report_xacro(const robot_file::Spot& spot, std::string_view found) {
+    error(spot, code::kXacro,
+          fmt::format("expected URDF, found {}, which xacro expands: run 'xacro FILE > ROBOT.urdf' "
+                      "and read that",
+                      text::quoted(found)));
+    return false;
   }
 
   /// Stores a value that may be missing because of an error.
@@ -229,9 +280,35 @@ class Parser {
 
   void read_origin(const XMLElement& element, Link& link) {
     const XMLElement* origin = element.FirstChildElement("origin");
+    for_each(element, "pose", [this](const XMLElement& pose) {
+      warn(pose, code::kIgnored, "<pose> is ignored: URDF says the place of a joint by <origin>");
+    });
     if (origin == nullptr) return;
+    for_each(element, "origin", [&](const XMLElement& other) {
+      if (&other != origin)
+        warn(other, code::kIgnored, "<origin> is ignored: the first one counts");
+    });
     link.translation = take(elements_.vector(*origin, "xyz", Vec3::Zero()));
-    link.rotation = rotation_of(take(elements_.vector(*origin, "rpy", Vec3::Zero())));
+    link.rotation = read_rotation(*origin);
+  }
+
+  /// The rotation of an <origin>. Source: urdfdom 5 (pose.cpp, URDF 1.1).
+  Quat read_rotation(const XMLElement& origin) {
+    constexpr const char* kQuaternion = "quat_xyzw";
+    const bool has_quaternion = origin.FindAttribute(kQuaternion) != nullptr;
+    if (has_quaternion && !knows_quaternions_) {
+      elements_.report(Severity::Warning,
+                       elements_.spot(origin, *origin.FindAttribute(kQuaternion)),
+                       code::kQuaternion,
+                       "quat_xyzw is ignored: it needs version=\"1.1\" in <robot> (as in urdfdom)");
+    } else if (has_quaternion && origin.FindAttribute("rpy") != nullptr) {
+      error(elements_.spot(origin), code::kQuaternion,
+            "expected either rpy or quat_xyzw, found both");
+      return Quat::Identity();
+    } else if (has_quaternion) {
+      return take(elements_.quaternion(origin, kQuaternion));
+    }
+    return rotation_of(take(elements_.vector(origin, "rpy", Vec3::Zero())));
   }
 
   void read_axis(const XMLElement& element, Link& link) {
@@ -295,6 +372,7 @@ class Parser {
   std::vector<std::string> names_;  ///< of links, in file order
   std::vector<Mimic> mimics_;
   std::size_t num_ids_ = 0;
+  bool knows_quaternions_ = false;  ///< the file is of URDF 1.1 or later
   bool is_good_ = true;
 };
 

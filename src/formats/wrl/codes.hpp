@@ -22,6 +22,7 @@ inline constexpr char kNotUnitLength[] = "WRL011";
 inline constexpr char kTooDeep[] = "WRL012";
 inline constexpr char kTooManyLinks[] = "WRL013";
 inline constexpr char kMisplacedJoint[] = "WRL014";
+inline constexpr char kHeader[] = "WRL015";
 
 /// Joints are nested, so there is no circle.
 inline constexpr robot_file::Codes kRobot = {

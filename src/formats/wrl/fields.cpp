@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/words.hpp"
 #include "formats/wrl/codes.hpp"
@@ -38,11 +39,25 @@ bool read_string(Parser& parser, std::string_view field, std::string& out) {
                                   "file");
 }
 
-/// Reads the first number of a list, or one without brackets; an empty list changes nothing.
-bool read_limit(Parser& parser, std::string_view field, double& out) {
-  if (!parser.lexer.peek().is("[")) return read_number(parser, field, out);
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Reads a limit.
+/// \param none  what an infinite one becomes, whatever its sign
+bool read_one_limit(Parser& parser, std::string_view field, double none, double& out) {
+  const text::Number number = text::parse_number(parser.lexer.peek().text);
+  const bool is_infinite = number.fault == text::NumberFault::OutOfRange ||
+                           (number.fault == text::NumberFault::None && std::isinf(number.value));
+  if (!is_infinite) return read_number(parser, field, out);
   parser.lexer.take();
-  if (!parser.lexer.peek().is("]") && !read_number(parser, field, out)) return false;
+  out = none;
+  return true;
+}
+
+/// Reads the first limit of a list, or one without brackets; an empty list changes nothing.
+bool read_limit(Parser& parser, std::string_view field, double none, double& out) {
+  if (!parser.lexer.peek().is("[")) return read_one_limit(parser, field, none, out);
+  parser.lexer.take();
+  if (!parser.lexer.peek().is("]") && !read_one_limit(parser, field, none, out)) return false;
   return skip_to_closing(parser);
 }
 
@@ -114,9 +129,9 @@ bool read_id(Parser& parser, Link& link) {
 
 /// Reads one of two limits of speed; the larger one is used.
 bool read_speed(Parser& parser, std::string_view field, Link& link) {
-  double speed = std::numeric_limits<double>::infinity();
-  if (!read_limit(parser, field, speed)) return false;
-  if (std::isinf(speed)) return true;
+  double speed = std::numeric_limits<double>::quiet_NaN();
+  if (!read_limit(parser, field, kUnlimited, speed)) return false;
+  if (std::isnan(speed)) return true;  // an empty list
   const double known = std::isinf(link.max_speed) ? 0 : link.max_speed;
   link.max_speed = std::max(known, std::abs(speed));
   return true;
@@ -168,8 +183,8 @@ bool read_joint_field(Parser& parser, const Token& field, JointFields& joint, bo
   if (field.is("jointAxis")) return read_axis(parser, link);
   if (field.is("jointId")) return read_id(parser, link);
   if (field.is("jointValue")) return read_number(parser, "jointValue", link.rest);
-  if (field.is("llimit")) return read_limit(parser, "llimit", link.lower);
-  if (field.is("ulimit")) return read_limit(parser, "ulimit", link.upper);
+  if (field.is("llimit")) return read_limit(parser, "llimit", -kUnlimited, link.lower);
+  if (field.is("ulimit")) return read_limit(parser, "ulimit", kUnlimited, link.upper);
   if (field.is("lvlimit")) return read_speed(parser, "lvlimit", link);
   if (field.is("uvlimit")) return read_speed(parser, "uvlimit", link);
   is_known = false;

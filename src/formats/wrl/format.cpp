@@ -6,6 +6,7 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "formats/wrl/codes.hpp"
+#include "formats/wrl/lexer.hpp"
 #include "formats/wrl/parse.hpp"
 
 namespace kinefile::wrl {
@@ -15,7 +16,9 @@ constexpr std::array<std::string_view, 1> kExtensions = {".wrl"};
 constexpr std::array<ReadOption, 1> kReadOptions = {options::kEncoding};
 
 bool probe(std::string_view head) {
-  return head.starts_with("#VRML") || head.starts_with("\xEF\xBB\xBF#VRML");
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  return !find_header(head).empty();
 }
 
 Result<Document> read_alone(std::string_view bytes, const ReadOptions& options,

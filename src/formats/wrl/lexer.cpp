@@ -53,6 +53,19 @@ void Lexer::advance() {
   token_ = {kind, {begin, static_cast<std::size_t>(next_ - begin)}};
 }
 
+std::string_view find_header(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  for (const char* p = text.data(); p != end;) {
+    const bool is_blank = text::is_blank(*p) || text::is_line_end(*p);
+    if (!is_blank && *p != '#') return {};
+    const char* const line_end = is_blank ? p + 1 : std::find_if(p, end, text::is_line_end);
+    const std::string_view line(p, static_cast<std::size_t>(line_end - p));
+    if (line.starts_with("#VRML")) return line;
+    p = line_end;
+  }
+  return {};
+}
+
 std::string content_of(const Token& string) {
   std::string_view inner = string.text.substr(1);
   if (inner.ends_with('"')) inner.remove_suffix(1);

@@ -40,6 +40,10 @@ class Lexer {
   Token token_;
 };
 
+/// The header "#VRML V2.0 utf8" up to the end of its line, if blanks, empty lines and comments
+/// alone are before it; otherwise empty.
+std::string_view find_header(std::string_view text);
+
 /// The content of a string token: without its quotes and the backslashes before characters.
 std::string content_of(const Token& string);
 

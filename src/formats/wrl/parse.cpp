@@ -21,10 +21,7 @@ class ModelReader {
 
   std::optional<robot_file::Robot> read() {
     const Token start = {TokenKind::Word, parser_.source.text().substr(0, 0)};
-    if (!parser_.source.text().starts_with("#VRML V2.0")) {
-      parser_.fail(start, code::kNotAModel, "expected '#VRML V2.0 utf8', found something else");
-      return std::nullopt;
-    }
+    if (!check_header()) return std::nullopt;
     while (lexer_.peek().kind != TokenKind::End) {
       if (!read_statement()) return std::nullopt;
     }
@@ -39,6 +36,43 @@ class ModelReader {
   }
 
  private:
+  /// Choreonoid skips what is before the header, and reads a file without one, since it is a
+  /// comment.
+  bool check_header() {
+    const std::string_view text = parser_.source.text();
+    const std::string_view header = find_header(text);
+    if (header.starts_with("#VRML V2.0")) {
+      if (header.data() != text.data()) {
+        warn_of_header(header.data(), "found it behind other lines or blanks");
+      }
+      return true;
+    }
+    const Token& first = lexer_.peek();
+    if (header.empty() && starts_as_vrml()) {
+      warn_of_header(first.at(), "found none; the file is read as VRML 2.0, as Choreonoid does");
+      return true;
+    }
+    const Token found = header.empty() ? first : Token{TokenKind::Word, header};
+    return parser_.fail(
+        found, code::kNotAModel,
+        fmt::format("expected '#VRML V2.0 utf8', found {}", text::quoted(found.text)));
+  }
+
+  void warn_of_header(const char* at, std::string_view what) {
+    robot_file::Spot{&parser_.source, at}.report(
+        parser_.diagnostics, Severity::Warning, code::kHeader,
+        fmt::format("expected '#VRML V2.0 utf8' at the start of the file, {}", what));
+  }
+
+  /// Whether the first words can be those of VRML: a prototype, a named node, or a node.
+  bool starts_as_vrml() const {
+    Lexer ahead = lexer_;
+    const Token first = ahead.take();
+    if (first.kind != TokenKind::Word) return false;
+    const bool is_named = first.is("PROTO") || first.is("EXTERNPROTO") || first.is("DEF");
+    return is_named ? ahead.peek().kind == TokenKind::Word : ahead.peek().is("{");
+  }
+
   /// A node, a prototype or a route.
   bool read_statement() {
     if (lexer_.peek().is("PROTO") || lexer_.peek().is("EXTERNPROTO")) return read_prototype();

@@ -209,6 +209,19 @@ TEST(SeqTimed, SlerpTurnsPosesTheShortestWayInEveryOrderOfNumbers) {
   expect_eighth(middle("1, 0, 0, 0", "-" + s + ", 0, 0, -" + s, "XYZQWQXQYQZ"));
 }
 
+TEST(SeqTimed, SlerpTakesAQuaternionOfZerosForNoRotation) {
+  const auto read = read_seq(
+      seq_of(
+          {poses({"[ 0, [ 0, 0, 0, 0, 0, 0, 0 ] ]", "[ 0.2, [ 0, 0, 0, 0, 0, 0, 1 ] ]"}, kTimed)}),
+      rounded(TimedRounding::Slerp));
+  const Component& links = components_of(read)[0];
+  ASSERT_EQ(links.num_frames, 3u);
+  EXPECT_EQ(links.row(0)[3], 0) << "numbers that are there stay";
+  const double half = std::sqrt(0.5);
+  EXPECT_NEAR(links.row(1)[3], half, 1e-15);
+  EXPECT_NEAR(links.row(1)[6], half, 1e-15);
+}
+
 TEST(SeqTimed, SlerpKeepsTheBitsOfFramesThatAreThere) {
   const ReadText read = read_seq(first_joint({{"0", "0.1"}, {"0.1", "0.3"}, {"0.2", "1e-300"}}),
                                  rounded(TimedRounding::Slerp));
@@ -235,6 +248,22 @@ TEST(SeqTimed, ATimedFileWithoutARateNeedsOne) {
             "t.seq:6:5: error[SEQ022]: expected frameRate, to which the frames with times are to "
             "go, found none; --fps says it, --keep-times needs none\n"
             "      type: MultiValueSeq\n      ^\n");
+  // Who only looks at the file does not.
+  ReadOptions looking;
+  looking.keeps_times_without_rate = true;
+  const ReadText kept = read_seq(text, looking);
+  EXPECT_EQ(text_of(kept.diagnostics),
+            "t.seq:6:5: note[SEQ022]: there is no frameRate, at which the frames with times are "
+            "imported; here they keep their times, other commands need --fps or --keep-times\n"
+            "      type: MultiValueSeq\n      ^\n");
+  EXPECT_EQ(own_times(components_of(kept).at(0).timeline), (FrameValues{0, 0.1, 0.3, 0.4, 0.7}));
+  EXPECT_EQ(codes_of(read_seq(replaced(text, "[ 0.3,", "[ 0.05,"), looking).diagnostics),
+            (std::vector<std::string>{"SEQ022", "SEQ019"}));
+  looking.fps = 20;
+  EXPECT_EQ(components_of(read_seq(text, looking)).at(0).num_frames, 15u);
+  // Where a rate is given, it counts.
+  looking.fps.reset();
+  EXPECT_EQ(components_of(read_seq(example_of_joints(), looking)).at(0).num_frames, 8u);
   const ReadText read = read_seq(text, rounded(TimedRounding::Ceil, 20));
   EXPECT_EQ(components_of(read).at(0).num_frames, 15u);
   EXPECT_EQ(frame_rate(components_of(read).at(0).timeline), 20);

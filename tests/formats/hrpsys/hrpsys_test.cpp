@@ -56,7 +56,10 @@ TEST(Hrpsys, ReadsASetByAnyOfItsFiles) {
     Files rotated = files;
     std::swap(rotated[0], rotated[first]);
     const auto read = read_set(rotated);
-    EXPECT_EQ(text_of(read.diagnostics), "");
+    EXPECT_EQ(text_of(read.diagnostics),
+              "walk.pos:5:8: warning[HRP013]: expected a finite number, found 'nan'\n"
+              "  0.01 0 nan\n"
+              "         ^\n");
     const auto& components = components_of(read);
     ASSERT_EQ(components.size(), 3u);
     EXPECT_EQ(components[0].content, kJointDisplacement);
@@ -85,6 +88,30 @@ TEST(Hrpsys, TheRootIsPositionsAndAnglesOrPositionsAndMatrices) {
   EXPECT_EQ(component.pose_form, PoseForm::Quaternion);
   EXPECT_NEAR(component.values[3], std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(component.values[6], std::sqrt(0.5), 1e-15);
+}
+
+TEST(Hrpsys, SpeedsAfterAMatrixAreLeftOut) {
+  // Choreonoid 1.4 to 1.7 wrote such files. A quarter turn about z, then half a turn about x.
+  const auto read = read_set({{"a.pos", "0 0.1\n0.005 0.2\n"},
+                              {"a.waist",
+                               "0 1 2 3 0 -1 0 1 0 0 0 0 1 0 0 0 0 0 0\n"
+                               "0.005 4 5 6 1 0 0 0 -1 0 0 0 -1 0.5 0 0 0 0 7\n"}});
+  EXPECT_EQ(codes_of(read.diagnostics), (std::vector<std::string>{"HRP014"}));
+  const Component& root = components_of(read)[1];
+  ASSERT_EQ(root.num_frames, 2u);
+  EXPECT_EQ(root.row_size(), 7u);
+  const double half = std::sqrt(0.5);
+  const std::vector<double> expected = {1, 2, 3, half, 0, 0, half, 4, 5, 6, 0, 1, 0, 0};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(root.values[i], expected[i], 1e-15) << i;
+  }
+  // Other counts are still refused, and so is a matrix that is no rotation.
+  EXPECT_EQ(codes_of(read_set({{"a.waist", "0 1 2 3 1 0 0 0 1 0 0 0 1 0 0 0 0 0\n"}}).diagnostics),
+            (std::vector<std::string>{"HRP004", "HRP002"}));
+  const std::string scaled =
+      "0 1 2 3 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n1 0 0 0 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n";
+  EXPECT_EQ(codes_of(read_set({{"a.waist", scaled}}).diagnostics),
+            (std::vector<std::string>{"HRP014", "HRP006"}));
 }
 
 TEST(Hrpsys, AnglesThatDifferAreTold) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include "formats/robots/robots.hpp"
 
@@ -77,6 +78,28 @@ TEST(Body, ListsInBlocksAreReadTheSame) {
   EXPECT_LE((joint.rest_rotation * Vec3::UnitZ() - Vec3::UnitX()).norm(), 1e-15);
 }
 
+TEST(Body, ListsOfAnyDepthAreReadInTheirOrder) {
+  for (const char* keys :
+       {"    translation: [ [ [ 1, 2, 3 ], [ 10, 20, 30 ] ], [ 100, 200, 300 ] ]\n"
+        "    rotation: [ [ [ 0, 0, 1, 90 ] ], [ 1, 0, 0, 90 ] ]\n",
+        "    translation:\n      - [ [ [ 1, 2, 3 ] ], [ 10, 20, 30 ] ]\n"
+        "      -\n        - [ 100, 200, 300 ]\n        - [ [ [ [ 0, 0, 0 ] ] ] ]\n"
+        "    rotation:\n      - - [ 0, 0, 1, 90 ]\n        - [ 1, 0, 0, 90 ]\n",
+        "    translation: [ [ 1, 2, 3 ], [ [ 10, 20, 30 ], [ 100, 200, &z 300 ] ] ]\n"
+        "    rotation: [ [ [ [ 0, 0, 1, 90 ], [ 1, 0, 0, 90 ] ] ] ]\n"}) {
+    const Joint joint = joint_b(keys);
+    EXPECT_EQ(joint.offset, Vec3(111, 222, 333)) << keys;
+    EXPECT_LE((joint.rest_rotation * Vec3::UnitZ() - Vec3::UnitX()).norm(), 1e-15) << keys;
+  }
+  for (const char* list : {"[ [ [ 1, 2 ] ], [ 1, 2, 3 ] ]", "[ 1, [ 1, 2, 3 ] ]",
+                           "[ [ 1, 2, 3 ], 1 ]", "[ [ [ 1, 2, 3 ], [] ] ]", "[ [ [ 1, 2, x ] ] ]",
+                           "[ [ { a: 1 } ] ]", "[ [ 1, [ 1, 2, 3 ] ] ]", "[]"}) {
+    const ReadText read =
+        read_robot("body", body_with_b(std::string("    translation: ") + list + "\n"));
+    EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"BDY004"}) << list;
+  }
+}
+
 TEST(Body, AnglesAreInDegreesUnlessTheFileSaysRadians) {
   const std::string keys =
       "    joint_type: revolute\n    joint_range: [ -2, 3 ]\n    joint_angle: 1\n"
@@ -105,6 +128,47 @@ TEST(Body, LengthsOfPrismaticJointsAreNoAngles) {
   EXPECT_EQ(joint.dofs[0].rest, 0.5);
   EXPECT_EQ(joint.dofs[0].max_speed, 2);
   EXPECT_EQ(joint.dofs[0].axis, Vec3(0, -1, 0));
+}
+
+TEST(Body, InfiniteLimitsAreNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto limits_of = [](const std::string& keys) {
+    const DegreeOfFreedom& dof = joint_b("    joint_type: revolute\n" + keys).dofs.at(0);
+    return std::vector<double>{dof.lower, dof.upper, dof.max_speed};
+  };
+  for (const char* word : {"inf", "-inf", "Infinity", "1e999", ".inf", "-.Inf", "unlimited"}) {
+    const std::string limit = word;
+    EXPECT_EQ(limits_of("    joint_range: [ 0, " + limit + " ]\n"),
+              (std::vector<double>{0, kInfinity, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_range: [ " + limit + ", 0 ]\n"),
+              (std::vector<double>{-kInfinity, 0, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_range: " + limit + "\n    max_joint_velocity: " + limit + "\n"),
+              (std::vector<double>{-kInfinity, kInfinity, kInfinity}))
+        << word;
+    EXPECT_EQ(limits_of("    joint_velocity_range: [ -1, " + limit + " ]\n")[2], kInfinity) << word;
+  }
+  for (const char* word : {"nan", ".nan", "", "[]"}) {
+    const ReadText read = read_robot(
+        "body", body_with(std::string("  - name: A\n  - name: B\n    parent: A\n    joint_type: "
+                                      "revolute\n    joint_range: [ 0, ") +
+                          word + " ]\n"));
+    EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"BDY004"}) << word;
+  }
+}
+
+TEST(Body, ANodeOfASubBodyTakesLimitsAway) {
+  ReadOptions options;
+  options.companions =
+      files_of({{"p.body", body_with("  - { name: P, joint_type: revolute, joint_range: 5 }\n")}});
+  const Document document = robot_of(
+      "body",
+      body_with("  - name: A\n  - { type: SubBody, uri: p.body, parent: A, joint_range: inf }\n"),
+      options);
+  const DegreeOfFreedom& dof = skeleton_of(document).joints.at(1).dofs.at(0);
+  EXPECT_TRUE(std::isinf(dof.lower) && dof.lower < 0);
+  EXPECT_TRUE(std::isinf(dof.upper) && dof.upper > 0);
 }
 
 TEST(Body, AJointTurnsBehindItsOwnRotation) {
@@ -179,6 +243,28 @@ TEST(Body, ASubBodyMayLieBelowAnotherOnesFolder) {
   EXPECT_EQ(names_of(skeleton_of(document)), "A ARM PALM FINGER");
 }
 
+TEST(Body, PartsBesideTheFolderAreFoundWhereTheCallerAllows) {
+  const std::string arm = body_with(
+      "  - { name: ARM }\n  - { type: SubBody, uri: \"..\\\\hand/hand.body\", parent: ARM }\n");
+  // The hand's own part is named relative to the hand's folder.
+  const std::string hand = body_with(
+      "  - { name: HAND }\n"
+      "  - { type: SubBody, uri: ../arm/tip.body, parent: HAND }\n"
+      "  - { type: SubBody, uri: file:///robots/nail.body, parent: HAND }\n");
+  const Document document = robot_of(
+      "body", arm,
+      {.companions = files_of({{"../hand/hand.body", hand},
+                               {"../arm/tip.body", body_with("  - { name: TIP }\n")},
+                               {"/robots/nail.body", body_with("  - { name: NAIL }\n")}})});
+  EXPECT_EQ(names_of(skeleton_of(document)), "ARM HAND TIP NAIL");
+  const ReadText read = read_robot("body", arm, {.model_root = "robots"});
+  const std::string told = text_of(read.diagnostics);
+  EXPECT_EQ(
+      told.substr(0, told.find('\n') + 1),
+      "t.body:6:27: error[BDY014]: expected the file '../hand/hand.body' in the folder 'robots' "
+      "or below it, found none\n");
+}
+
 TEST(Body, FilesThatNameEachOtherManyTimesStayFew) {
   // Each names the next one ten times: 10^8 links, in 9 short files.
   std::vector<std::pair<std::string, std::string>> files;
@@ -231,6 +317,31 @@ TEST(Body, AWrapperIsTheRobotThatItNames) {
                {.companions = files_of({{"wrl/arm.wrl", fixture("wrl/valid/arm.wrl")}})});
   EXPECT_EQ(names_of(skeleton_of(arm)), "BASE POST SLIDE HAND");
   EXPECT_EQ(arm.format, "body");
+}
+
+TEST(Body, WrappersMayBeCalledYamlAndBeInARow) {
+  const auto files = files_of({{"parts/two.yaml", "modelFile: ../hand.data\n"},
+                               {"hand.data", kHand},
+                               {"robot.txt", fixture("wrl/valid/arm.wrl")}});
+  const Document hand = robot_of("body", "{ standardPose: [ 1 ], modelFile: parts/two.yaml }\n",
+                                 {.companions = files});
+  EXPECT_EQ(names_of(skeleton_of(hand)), "PALM FINGER");
+  const Document arm = robot_of("body", "model_file: robot.txt\n", {.companions = files});
+  EXPECT_EQ(names_of(skeleton_of(arm)), "BASE POST SLIDE HAND");
+}
+
+TEST(Body, AWrapperIsKnownByItsTopKeys) {
+  for (const char* text :
+       {"modelFile: a.wrl\n", "# a\nstandardPose: [ 0, 1 ]\nmodelFile: 'a.wrl'\n",
+        "{ \"modelFile\": \"a.wrl\" }", "---\nmodel_file: a.body\nlist: [ 1, 2\n"}) {
+    EXPECT_EQ(detect_format(text, "a.yaml")->name, "body") << text;
+  }
+  for (const char* text :
+       {"modelFile: a.wrl\ntype: Composite\n", "components: []\nmodelFile: a.wrl\n",
+        "robot: { modelFile: a.wrl }\n", "- modelFile: a.wrl\n", "note: modelFile\n",
+        "modelFile: []\n", "modelFile:\n"}) {
+    EXPECT_EQ(detect_format(text, "a.yaml")->name, "choreonoid") << text;
+  }
 }
 
 TEST(Body, FaultsOfAnotherFileAreInThatFile) {

@@ -43,6 +43,79 @@ TEST(Urdf, RollPitchAndYawTurnAboutFixedAxes) {
   EXPECT_LE((b.rest_rotation.toRotationMatrix() - expected).cwiseAbs().maxCoeff(), 1e-15);
 }
 
+/// A file of a version with a joint whose <origin> has these attributes.
+std::string urdf_of_version(const std::string& version, const std::string& origin) {
+  return "<robot name='t' " + version + "><link name='A'/><link name='B'/>" +
+         joint("fixed", "A", "B", "<origin xyz='1 2 3' " + origin + "/>") + "</robot>";
+}
+
+TEST(Urdf, FromVersion11OnAnOriginMayHaveAQuaternion) {
+  const double half = std::sqrt(0.5);
+  const std::string quaternion = "quat_xyzw='0 0 0.70710678 0.70710678'";
+  for (const char* version :
+       {"version='1.1'", "version='1.2'", "version='1.10'", "version='2.0'", "version='2'"}) {
+    const Document document = robot_of("urdf", urdf_of_version(version, quaternion));
+    const Joint& b = skeleton_of(document).joints.at(1);
+    EXPECT_EQ(b.offset, Vec3(1, 2, 3)) << version;
+    EXPECT_LE((b.rest_rotation.coeffs() - Quat(half, 0, 0, half).coeffs()).norm(), 1e-15)
+        << version;
+  }
+  for (const char* version :
+       {"", "version='1.0'", "version='1'", "version='0.9'", "version='new'"}) {
+    const ReadText read = read_robot("urdf", urdf_of_version(version, quaternion + " rpy='0 0 1'"));
+    EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD015"}) << version;
+    ASSERT_TRUE(read.document) << version;
+    EXPECT_NEAR(skeleton_of(*read.document).joints.at(1).rest_rotation.z(), std::sin(0.5), 1e-15);
+  }
+  // Without the attribute, the version does not matter.
+  EXPECT_EQ(
+      text_of(read_robot("urdf", urdf_of_version("version='new'", "rpy='0 0 1'")).diagnostics), "");
+  for (const char* bad : {"0 0 1", "0 0 0 1 0", "0 0 0 x", "0 0 0 nan", "", "0 0 -0 0"}) {
+    const ReadText read = read_robot(
+        "urdf", urdf_of_version("version='1.1'", "quat_xyzw='" + std::string(bad) + "'"));
+    EXPECT_EQ(codes_of(read.diagnostics), std::vector<std::string>{"URD003"}) << bad;
+  }
+}
+
+TEST(Urdf, SdformatIsToldByContentAndByName) {
+  for (const std::string text :
+       {"<?xml version='1.0'?>\n<!-- a world -->\n<sdf version='1.6'>\n", "<sdf>"}) {
+    for (const char* name : {"model.sdf", "model.urdf", "world"}) {
+      Diagnostics diagnostics;
+      const auto read = read_bytes(text, name, nullptr, {}, diagnostics);
+      ASSERT_FALSE(read) << name;
+      EXPECT_EQ(read.error().code, "FMT008") << name;
+      EXPECT_EQ(read.error().kind, ErrorKind::InvalidInput);
+    }
+  }
+  EXPECT_EQ(find_foreign("<other/>", "a.SDF", nullptr)->extension, ".sdf");
+  EXPECT_EQ(find_foreign("<robot>", "a.sdf", detect_format("<robot>", "a.sdf")), nullptr);
+}
+
+TEST(Urdf, WhatXacroMustExpandIsTold) {
+  const auto code_of = [](const std::string& text) {
+    const auto codes = codes_of(read_robot("urdf", text).diagnostics);
+    return codes.size() == 1 ? codes[0] : std::to_string(codes.size());
+  };
+  const std::string links = "<link name='A'/><link name='B'/>";
+  EXPECT_EQ(code_of("<robot name='${name}'>" + links + joint("fixed", "A", "B") + "</robot>"),
+            "URD014");
+  EXPECT_EQ(code_of("<robot><link name='${prefix}A'/></robot>"), "URD014");
+  EXPECT_EQ(code_of("<robot>" + links + joint("fixed", "A", "B", "<axis xyz='0 0 ${reflect}'/>") +
+                    "</robot>"),
+            "URD014");
+  EXPECT_EQ(code_of("<robot><xacro:property name='a' value='1'/>" + links + "</robot>"), "URD014");
+  EXPECT_EQ(code_of("<robot><link name='A'><xacro:box/></link></robot>"), "URD014");
+  // What xacro leaves behind: the name space; and what is not ours to understand.
+  EXPECT_EQ(
+      text_of(read_robot("urdf",
+                         "<robot xmlns:xacro='http://ros.org/wiki/xacro'><link name='A'><visual>"
+                         "<geometry><mesh filename='${HOME}/a.stl'/></geometry></visual></link>"
+                         "<gazebo reference='${a}'/></robot>")
+                  .diagnostics),
+      "");
+}
+
 TEST(Urdf, LimitsAreThoseOfTheTypeAndTheAxisIsXByDefault) {
   const std::string limit = "<limit lower=\"-1\" upper=\"2\" velocity=\"3\" effort=\"4\"/>";
   const Document document =

@@ -96,6 +96,16 @@ std::string unit_text(const LengthUnit& unit) {
                      because(unit.certainty, unit.reason));
 }
 
+/// The exact rate, and beside it the nominal one where they differ by more than arithmetic.
+std::string rate_text(const TimeInfo& time) {
+  constexpr double kRounding = 1e-11;
+  const double nominal = time.nominal_frame_rate;
+  if (!(std::abs(time.frame_rate - nominal) > kRounding * nominal)) {
+    return fmt::format("{:.6g} fps", time.frame_rate);
+  }
+  return fmt::format("{:.12g} fps, nominally {:.6g} fps", time.frame_rate, nominal);
+}
+
 /// A description of a component of a body motion.
 std::string component_text(const ComponentInfo& info) {
   if (info.kind == ComponentKind::Other) {
@@ -107,7 +117,7 @@ std::string component_text(const ComponentInfo& info) {
   return fmt::format(
       "{}: {} frames of {} {}{}{}{}{}", info.content, info.time.num_frames, info.num_parts, part,
       info.num_parts == 1 ? "" : "s", info.time.has_own_times ? ", at times of their own" : "",
-      rate > 0 ? fmt::format(", {:.6g} fps, duration {} s", rate, info.time.duration) : "",
+      rate > 0 ? fmt::format(", {}, duration {} s", rate_text(info.time), info.time.duration) : "",
       info.is_root_relative ? ", relative to the root link" : "");
 }
 
@@ -138,7 +148,7 @@ std::string text_of(const std::string& path, const Document& document) {
     line("frames",
          fmt::format("{}{}", time.num_frames,
                      first == 0 ? "" : fmt::format(", the first is {} in the file", first)));
-    line("rate", fmt::format("{:.6g} fps, frame time {} s{}", time.frame_rate, time.frame_time,
+    line("rate", fmt::format("{}, frame time {} s{}", rate_text(time), time.frame_time,
                              time.has_own_times ? ", frames at times of their own" : ""));
     line("duration", fmt::format("{} s", time.duration));
   }
@@ -196,7 +206,8 @@ Json json_of_component(const ComponentInfo& info) {
                {"content", info.content},
                {"num_parts", info.num_parts},
                {"num_frames", info.time.num_frames},
-               {"frame_rate", number(info.time.nominal_frame_rate)}};
+               {"frame_rate", number(info.time.frame_rate)},
+               {"nominal_frame_rate", number(info.time.nominal_frame_rate)}};
   if (info.kind == ComponentKind::Vectors) json["is_root_relative"] = info.is_root_relative;
   return json;
 }
@@ -206,7 +217,8 @@ void add_body(Json& json, const BodyInfo& info) {
   if (info.time) {
     json["num_frames"] = info.time->num_frames;
     json["frame_time"] = number(info.time->frame_time);
-    json["frame_rate"] = number(info.time->nominal_frame_rate);
+    json["frame_rate"] = number(info.time->frame_rate);
+    json["nominal_frame_rate"] = number(info.time->nominal_frame_rate);
     json["duration"] = number(info.time->duration);
   }
   json["angle_unit"] = "radians";
@@ -222,6 +234,7 @@ void add_motion(Json& json, const MotionInfo& info) {
   json["first_frame_number"] = info.time.first_frame_number;
   json["frame_time"] = number(info.time.frame_time);
   json["frame_rate"] = number(info.time.frame_rate);
+  json["nominal_frame_rate"] = number(info.time.nominal_frame_rate);
   json["duration"] = number(info.time.duration);
   json["extent"] = box_json(info.extent);
 }

@@ -18,9 +18,12 @@ struct SuddenTurn {
   double degrees = 0;            ///< how far it turns
 };
 
-/// Finds joints that turn by more than 90 degrees from one frame to the next, in their parents'
-/// frames: spikes, which turn back within a few frames, and flips, which stay. Sorted by joint,
-/// then frame. Such turns come from markers that were confused during capture.
+/// Finds joints that turn by more than 90 degrees from one frame to the next and faster than 2700
+/// degrees a second, in their parents' frames: spikes, which turn back within five frames, and
+/// flips, which stay. Sorted by joint, then frame. Such turns come from markers that were confused
+/// during capture. The speed is that of 90 degrees at 30 frames a second: at slower rates a joint
+/// may turn further within a frame, and at 15 frames a second or less no turn is sudden, because
+/// none of up to half a turn is that fast.
 std::vector<SuddenTurn> find_sudden_turns(const Motion& motion);
 
 }  // namespace kinefile

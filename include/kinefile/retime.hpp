@@ -169,7 +169,8 @@ enum class RotationInterpolation {
   /// the same to four digits), and better than slerp: a third of its error on a quick motion at 60
   /// frames per second.
   Cubic,
-  Euler,  ///< angle by angle, as numbers; the quaternion of a free joint by slerp
+  Euler,  ///< angle by angle, as numbers, the short way round; the quaternion of a free joint by
+          ///< slerp
 };
 
 struct RetimeOptions {
@@ -183,15 +184,15 @@ struct RetimeOptions {
 /// Applies a time map to a motion. A whole number in the map returns the old frame bit for bit
 /// (except with `antialias` where the map is fast). Joints that turn about one or two axes, or
 /// about axes that cannot represent every rotation, or that share columns with others, are
-/// interpolated angle by angle (RTM007). Angles stay continuous: recomputed angles are the nearest
-/// to the straight line between the old ones. The quaternion of a free joint is normalised, with
-/// the sign nearer to the previous old frame.
-/// Values of the map outside the motion are clamped to its ends; they must not be NaN.
-/// The new timeline is that of the map, otherwise the old one; if frames had their own times, at
-/// its `frame_rate`.
-/// With `antialias`, if a new frame spans n > 1 old frames, old frames are averaged with a Gaussian
-/// of sigma n / 2, truncated at three sigma.
-/// \errors RTM005 (InvalidInput) if a joint needs interpolation between numbers that are not
+/// interpolated angle by angle (RTM007): the short way round, except for columns that are not
+/// angles alone; a step of at most half a turn goes as its numbers say. Angles stay continuous:
+/// recomputed angles are the nearest to the straight line between the old ones. The quaternion of a
+/// free joint is normalised, with the sign nearer to the previous old frame. Values of the map
+/// outside the motion are clamped to its ends; they must not be NaN. The new timeline is that of
+/// the map, otherwise the old one; if frames had their own times, at its `frame_rate`. With
+/// `antialias`, if a new frame spans n > 1 old frames, old frames are averaged with a Gaussian of
+/// sigma n / 2, truncated at three sigma. \errors RTM005 (InvalidInput) if a joint needs
+/// interpolation between numbers that are not
 ///         finite, and not `lenient`; RTM008 (Usage) for more than 2^30 values
 Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
                      Diagnostics& diagnostics);

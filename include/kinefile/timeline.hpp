@@ -49,9 +49,14 @@ const Array<double>& own_times(const Timeline& timeline);
 /// Whether the frames have their own times.
 bool has_own_times(const Timeline& timeline);
 
-/// Whether frames with the same number have the same time in both: the same rate, or the same own
-/// times.
+/// Whether frames with the same number have the same time in both: the same rate (see
+/// `have_same_rate`), or the same own times.
 bool have_same_times(const Timeline& a, const Timeline& b);
+
+/// Whether two rates are the same but for the spelling of their frame times (0.0333333 s, 0.033333
+/// s, 30 fps): their `frame_rate` or their `nominal_frame_rate` agree within a part in 100,000, a
+/// frame in an hour at 30 fps. Rates in use differ by a part in 1000 at least (30 and 29.97).
+bool have_same_rate(const Timeline& a, const Timeline& b);
 
 /// Seconds from one frame to the next; for frames with their own times 1 / `frame_rate`.
 double frame_time(const Timeline& timeline);
@@ -62,8 +67,16 @@ double frame_rate(const Timeline& timeline);
 
 /// The intended number of frames per second: a frame time with three digits or more that was
 /// truncated or rounded from that of a whole rate (0.0083333), or of 24, 30, 60 or 120 divided by
-/// 1.001, stands for that rate. Otherwise as `frame_rate`.
+/// 1.001, stands for that rate. So does one within a part in 100,000 of that of a whole rate up to
+/// 1000 (0.03333323). Otherwise as `frame_rate`.
 double nominal_frame_rate(const Timeline& timeline);
+
+/// The usual whole numbers of frames per second, rising: 1, 2, 5, 10, 20, 24, 25, 30, 50, 60, 100,
+/// 120, 200, 240, 250, 500 and 1000.
+std::span<const double> usual_rates();
+
+/// The rates of television, rising: 24, 30, 60 and 120 divided by 1.001.
+std::span<const double> television_rates();
 
 /// A steady rate for frames that have their own times.
 struct SteadyRate {
@@ -72,10 +85,9 @@ struct SteadyRate {
                              ///< digit
 };
 
-/// The lowest of the rates 1, 2, 5, 10, 20, 24, 25, 30, 50, 60, 100, 120, 200, 240, 250, 500 and
-/// 1000 whose frames, counted from 0 s, match every time within half a unit of the last digit of
-/// its shortest decimal form, with no two times in one frame; otherwise 1 / `median_step`. Nothing
-/// if the times are not increasing or not finite.
+/// The lowest of the `usual_rates` whose frames, counted from 0 s, match every time within half a
+/// unit of the last digit of its shortest decimal form, with no two times in one frame; otherwise 1
+/// / `median_step`. Nothing if the times are not increasing or not finite.
 std::optional<SteadyRate> steady_rate(std::span<const double> times);
 
 /// The frame at this rate, counted from 0 s, that matches a time (see `steady_rate`), or nothing.

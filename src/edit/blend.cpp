@@ -11,6 +11,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
+#include "math/turns.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -103,7 +104,7 @@ void fade_numbers(const Fade& fade, const std::vector<double>& turns, const Rows
     const double weight = fade.weights[i];
     for (std::size_t c = 0; c < row.size(); ++c) {
       const double turn = turns[c];
-      const double shift = turn > 0 ? turn * std::round((to[c] - from[c]) / turn) : 0;
+      const double shift = turn > 0 ? turns_towards(from[c], to[c], turn) : 0;
       row[c] = from[c] == to[c] ? to[c] : (1 - weight) * (from[c] + shift) + weight * to[c];
     }
   }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "edit/blend.hpp"
@@ -15,7 +14,7 @@
 namespace kinefile::edit {
 namespace {
 
-constexpr double kSame = 1e-6;  // of the skeleton's size, or of the frame rate
+constexpr double kSame = 1e-6;  // of the skeleton's size
 
 Error cannot_join(std::string why) {
   return make_error(ErrorKind::Usage, "EDT005", std::move(why));
@@ -80,11 +79,10 @@ std::optional<Error> obstacle_to(const Motion& first, const Motion& second,
   // Frames with their own times keep these.
   const bool is_steady =
       !has_own_times(first.clip.timeline) && !has_own_times(second.clip.timeline);
-  const double rate = frame_rate(first.clip.timeline);
-  const double other_rate = frame_rate(second.clip.timeline);
-  if (is_steady && !(std::abs(rate - other_rate) <= kSame * rate)) {
-    return cannot_join(
-        fmt::format("the frame rates differ: {} and {} frames a second", rate, other_rate));
+  if (is_steady && !have_same_rate(first.clip.timeline, second.clip.timeline)) {
+    return cannot_join(fmt::format("the frame rates differ: {} and {} frames a second",
+                                   nominal_frame_rate(first.clip.timeline),
+                                   nominal_frame_rate(second.clip.timeline)));
   }
   const std::size_t fewest = std::min(first.clip.num_frames, second.clip.num_frames);
   if (num_blend_frames > fewest) {

@@ -11,6 +11,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
+#include "math/turns.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -129,7 +130,7 @@ struct Column {
 void take_turns_out(double turn, std::size_t lane, std::vector<Lanes>& rows,
                     std::vector<Lanes>& shifts) {
   for (std::size_t f = 1; f < rows.size(); ++f) {
-    shifts[f][lane] = turn * std::round((rows[f - 1][lane] - rows[f][lane]) / turn);
+    shifts[f][lane] = turns_towards(rows[f][lane], rows[f - 1][lane], turn);
     rows[f][lane] += shifts[f][lane];
   }
 }

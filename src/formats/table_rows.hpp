@@ -25,9 +25,9 @@ struct TableTimeCodes {
   const char* late_start;  ///< a note: the first time is not 0; times are counted from 0
 };
 
-/// The rate from a table's times. It is a whole number if it is within a ten-thousandth of one, or
-/// if the times are those of its frames rounded to their last digits. Without a steady rate, the
-/// times themselves. Empty after an error.
+/// The rate from a table's times (see `rate_of_times`). It is a whole number if it is within a
+/// ten-thousandth of one, or if the times are those of its frames rounded to their last digits.
+/// Without a steady rate, the times themselves. Empty after an error.
 /// \param fps  the rate that the caller specifies; then the times are not used
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,

@@ -10,7 +10,8 @@
 namespace kinefile {
 namespace {
 
-constexpr double kSudden = 90;            // degrees
+constexpr double kSudden = 90;            // degrees from one frame to the next
+constexpr double kSuddenSpeed = 2700;     // degrees per second: 90 degrees at 30 frames a second
 constexpr std::size_t kLongestSpike = 5;  // frames
 
 /// The angle between a joint's rotations in two frames, in degrees; nothing if one is missing.
@@ -22,6 +23,14 @@ std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, s
   };
   const double angle = angle_between(rotation(a), rotation(b)) / kRadiansPerDegree;
   return std::isfinite(angle) ? std::optional(angle) : std::nullopt;
+}
+
+/// How far a joint must turn from a frame to the next to turn suddenly, in degrees.
+double least_turn(const Timeline& timeline, std::size_t frame) {
+  const double seconds = has_own_times(timeline)
+                             ? time_of_frame(timeline, frame + 1) - time_of_frame(timeline, frame)
+                             : frame_time(timeline);
+  return std::max(kSudden, kSuddenSpeed * seconds);
 }
 
 /// The frame of `poses` in which a joint has turned back after a turn between `before` and the next
@@ -38,12 +47,12 @@ std::optional<std::size_t> return_after(const LocalPoses& poses, std::size_t joi
 
 /// Finds the turns of a joint that begin before frame `end` of `poses`.
 /// \param next  the frame of the motion from which turns count: turning back is not reported
-void find_turns(const LocalPoses& poses, std::size_t joint, std::size_t end, std::size_t& next,
-                std::vector<SuddenTurn>& turns) {
+void find_turns(const LocalPoses& poses, const Timeline& timeline, std::size_t joint,
+                std::size_t end, std::size_t& next, std::vector<SuddenTurn>& turns) {
   for (std::size_t f = 0; f < end && f + 1 < poses.num_frames; ++f) {
     if (poses.first_frame + f < next) continue;
     const auto degrees = turn_between(poses, joint, f, f + 1);
-    if (!degrees || !(*degrees > kSudden)) continue;
+    if (!degrees || !(*degrees > least_turn(timeline, poses.first_frame + f))) continue;
     SuddenTurn turn{joint, poses.first_frame + f + 1, 0, *degrees};
     if (const auto back = return_after(poses, joint, f, *degrees)) {
       turn.return_frame = poses.first_frame + *back;
@@ -65,7 +74,9 @@ std::vector<SuddenTurn> find_sudden_turns(const Motion& motion) {
                                                    // next block
   for (; options.first_frame < motion.clip.num_frames; options.first_frame += block) {
     const LocalPoses poses = local_poses(motion.skeleton, motion.clip, options);
-    for (std::size_t j = 0; j < next.size(); ++j) find_turns(poses, j, block, next[j], turns);
+    for (std::size_t j = 0; j < next.size(); ++j) {
+      find_turns(poses, motion.clip.timeline, j, block, next[j], turns);
+    }
   }
   std::stable_sort(turns.begin(), turns.end(),
                    [](const SuddenTurn& a, const SuddenTurn& b) { return a.joint < b.joint; });

@@ -70,9 +70,14 @@ std::vector<std::size_t> partners_of(const Clip& first, const Clip& second) {
   const NearestFrames nearest(second);
   const double rate = nominal_frame_rate(first.timeline);
   const bool has_times = has_own_times(first.timeline);
+  const bool are_at_one_rate = !has_times && have_same_times(first.timeline, second.timeline);
   std::vector<std::size_t> partners;
   partners.reserve(first.num_frames);
   for (std::size_t f = 0; f < first.num_frames; ++f) {
+    if (are_at_one_rate) {
+      partners.push_back(std::min(f, second.num_frames - 1));
+      continue;
+    }
     // Times from a truncated frame time would drift.
     const double time =
         has_times ? time_of_frame(first.timeline, f) : static_cast<double>(f) / rate;

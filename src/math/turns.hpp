@@ -7,12 +7,18 @@
 
 namespace kinefile {
 
-/// An angle plus whole turns, so that it is within half a turn of another; unchanged, bit for bit,
-/// if it already is.
+/// The whole turns to add to an angle so that it is within half a turn of another: the short way
+/// round. 0 if it already is; a step of exactly half a turn stays as it is.
 /// \param turn  a whole turn in the unit of the angles
-inline double nearest_turn(double angle, double near, double turn) {
+inline double turns_towards(double angle, double near, double turn) {
   const double turns = (near - angle) / turn;
-  return std::abs(turns) < 0.5 ? angle : angle + turn * std::round(turns);
+  return std::abs(turns) <= 0.5 ? 0 : turn * std::round(turns);
+}
+
+/// An angle plus `turns_towards` another; unchanged, bit for bit, if it needs none.
+inline double nearest_turn(double angle, double near, double turn) {
+  const double turns = turns_towards(angle, near, turn);
+  return turns == 0 ? angle : angle + turns;
 }
 
 /// As `nearest_turn`, for each of three angles.

@@ -9,6 +9,8 @@
 namespace kinefile {
 namespace {
 
+constexpr double kSameRate = 1e-5;  // of the rate
+
 /// The decimal notation of a positive number.
 struct Decimals {
   double unit = 0;     ///< of the last decimal place; 0 if there are more than 15 digits
@@ -36,6 +38,13 @@ bool stands_for(double time, const Decimals& decimals, double rate) {
   if (1 / rate == time) return true;
   const double lost = (1 / rate - time) / decimals.unit;
   return decimals.num_digits >= kFewestDigits && lost > -0.5001 && lost < 1;
+}
+
+/// Whether a rate is a whole one but for the spelling of its frame time. No two rates in use are so
+/// close to each other.
+bool is_nearly(double rate, double whole) {
+  constexpr double kHighestSpelt = 1000;  // above it every rate is close to a whole one
+  return whole <= kHighestSpelt && std::abs(rate - whole) <= kSameRate * whole;
 }
 
 /// Whether every time matches a frame, counted from 0 s, and the frames are strictly increasing.
@@ -76,7 +85,15 @@ bool has_own_times(const Timeline& timeline) {
 
 bool have_same_times(const Timeline& a, const Timeline& b) {
   if (has_own_times(a) != has_own_times(b)) return false;
-  return has_own_times(a) ? own_times(a) == own_times(b) : frame_rate(a) == frame_rate(b);
+  return has_own_times(a) ? own_times(a) == own_times(b) : have_same_rate(a, b);
+}
+
+bool have_same_rate(const Timeline& a, const Timeline& b) {
+  const auto are_same = [](double x, double y) {
+    return x == y || std::abs(x - y) <= kSameRate * std::abs(x);
+  };
+  return are_same(frame_rate(a), frame_rate(b)) ||
+         are_same(nominal_frame_rate(a), nominal_frame_rate(b));
 }
 
 double frame_time(const Timeline& timeline) {
@@ -100,19 +117,30 @@ double nominal_frame_rate(const Timeline& timeline) {
   if (given == nullptr || !(rate > 0 && rate < kHighestRate)) return rate;
   const Decimals decimals = decimals_of(given->seconds);
   const double whole = std::round(rate);
-  if (whole >= 1 && stands_for(given->seconds, decimals, whole)) return whole;
-  for (const double television : {24.0, 30.0, 60.0, 120.0}) {
-    const double slowed = television * 1000 / 1001;
+  if (whole >= 1 && (is_nearly(rate, whole) || stands_for(given->seconds, decimals, whole))) {
+    return whole;
+  }
+  for (const double slowed : television_rates()) {
     if (stands_for(given->seconds, decimals, slowed)) return slowed;
   }
   return rate;
 }
 
+std::span<const double> usual_rates() {
+  static constexpr std::array<double, 17> kRates = {1,  2,   5,   10,  20,  24,  25,  30,  50,
+                                                    60, 100, 120, 200, 240, 250, 500, 1000};
+  return kRates;
+}
+
+std::span<const double> television_rates() {
+  static constexpr std::array<double, 4> kRates = {24.0 * 1000 / 1001, 30.0 * 1000 / 1001,
+                                                   60.0 * 1000 / 1001, 120.0 * 1000 / 1001};
+  return kRates;
+}
+
 std::optional<SteadyRate> steady_rate(std::span<const double> times) {
-  constexpr std::array<double, 17> kUsualRates = {1,  2,   5,   10,  20,  24,  25,  30,  50,
-                                                  60, 100, 120, 200, 240, 250, 500, 1000};
   if (!do_rise(times)) return std::nullopt;
-  for (const double rate : kUsualRates) {
+  for (const double rate : usual_rates()) {
     if (hold_all(times, rate)) return SteadyRate{rate, true};
   }
   const double rate = 1 / median_step(times);

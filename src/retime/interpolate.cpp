@@ -48,12 +48,12 @@ Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptio
   const auto steps = steps_of(map.old_frames, old_clip.num_frames, options.antialias);
   const auto plan = plan_interpolation(motion.skeleton, options.rotation, diagnostics);
   interpolate_rows(old_clip, steps, result.clip);
+  const auto numbers = number_columns_of(old_clip, plan);
+  turn_columns(old_clip, steps, numbers, result.clip);
   if (options.rotation == RotationInterpolation::Cubic) {
-    curve_columns(old_clip, steps, plan.number_columns, result.clip);
+    curve_columns(old_clip, steps, numbers, result.clip);
   }
-  if (options.antialias) {
-    average_columns(old_clip, steps, plan.number_columns, result.clip);
-  }
+  if (options.antialias) average_columns(old_clip, steps, numbers, result.clip);
   interpolate_rotations(old_clip, steps, plan, options.rotation, result.clip);
   const auto marked = mark_gaps(motion, steps, plan, options, result.clip, diagnostics);
   if (!marked) return fail(marked.error());

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "kinefile/joint_rotation.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "rotation/rotations.hpp"
 
 namespace kinefile::retime {
@@ -88,6 +89,7 @@ InterpolationPlan plan_interpolation(const Skeleton& skeleton, RotationInterpola
     plan_turns(joint, skeleton.angle_unit, readers, plan, diagnostics);
   }
   plan.number_columns = other_columns(plan, skeleton.coordinates.size());
+  plan.turns = turns_of_columns(skeleton);
   return plan;
 }
 

@@ -28,6 +28,7 @@ struct InterpolationPlan {
   std::vector<TurningJoint> turning_joints;
   std::vector<WholeRotation> whole_rotations;
   std::vector<std::size_t> number_columns;
+  std::vector<double> turns;  ///< of `turns_of_columns`; shape (coordinates)
 };
 
 /// Sorts the columns by how they are interpolated. A note reports joints with three or more

@@ -60,7 +60,7 @@ Result<std::size_t> settle_frames(const Recorded& recorded, bool lenient,
     const char* const message = "expected joints at the times of the links, found others";
     if (!lenient) return fail(make_error(ErrorKind::InvalidInput, "BRG011", message));
     warn(diagnostics, fmt::format("{}; frames belong together by their numbers", message));
-  } else if (frame_rate(recorded.joints->timeline) != frame_rate(main.timeline)) {
+  } else if (!have_same_rate(recorded.joints->timeline, main.timeline)) {
     warn(diagnostics,
          fmt::format("joints have {} frames a second, links {}; frames belong "
                      "together by their numbers",

@@ -45,6 +45,44 @@ TEST(FindSuddenTurns, ASpikeMayLastFiveFrames) {
   EXPECT_EQ(flips[1].return_frame, 0u);
 }
 
+/// A head that turns to a side and back, in frames at a rate.
+Motion quick_head(double frame_rate) {
+  constexpr std::size_t kHeadY = 3 + 6 * 3 - 1;
+  Motion walk = examples::make_walk(
+      {.num_frames = static_cast<std::size_t>(frame_rate), .frame_rate = frame_rate});
+  for (std::size_t f = 0; f < walk.clip.num_frames; ++f) {
+    const double seconds = static_cast<double>(f) / frame_rate;
+    walk.clip.mutate()[f][kHeadY] += 75 * std::sin(20 * seconds);  // up to 1500 degrees a second
+  }
+  return walk;
+}
+
+TEST(FindSuddenTurns, AQuickTurnIsNoneAtAnyRate) {
+  for (const double rate : {5.0, 10.0, 12.5, 15.0, 20.0, 25.0, 30.0, 60.0, 120.0, 1000.0}) {
+    EXPECT_TRUE(find_sudden_turns(quick_head(rate)).empty()) << rate;
+  }
+}
+
+TEST(FindSuddenTurns, BelowThirtyFramesTheSpeedCounts) {
+  const auto num_turns = [](double rate, double degrees) {
+    Motion walk = walk_with_head(40, {20}, degrees);
+    walk.clip.timeline.given = FrameRate{rate};
+    return find_sudden_turns(walk).size();
+  };
+  EXPECT_EQ(num_turns(120, 95), 1u);
+  EXPECT_EQ(num_turns(30, 95), 1u);
+  EXPECT_EQ(num_turns(20, 95), 0u);
+  EXPECT_EQ(num_turns(20, 150), 1u);
+  EXPECT_EQ(num_turns(10, 175), 0u);
+  Motion gap = walk_with_head(40, {20}, 120);
+  std::vector<double> times;
+  for (int f = 0; f < 40; ++f) times.push_back(f < 20 ? f / 30.0 : 1 + f / 30.0);
+  gap.clip.timeline.given = FrameTimes{times};
+  const auto turns = find_sudden_turns(gap);
+  ASSERT_EQ(turns.size(), 1u) << "a second passes before frame 20, a thirtieth before 21";
+  EXPECT_EQ(turns[0].frame, 21u);
+}
+
 TEST(FindSuddenTurns, AWholeTurnIsNone) {
   EXPECT_TRUE(find_sudden_turns(walk_with_head(40, {13, 20, 21}, 360)).empty());
   EXPECT_TRUE(find_sudden_turns(walk_with_head(40, {13}, 80)).empty());

@@ -22,6 +22,15 @@ TEST(CompareMotions, AMotionAgreesWithItself) {
   EXPECT_TRUE(comparison.only_in_first.empty());
 }
 
+TEST(CompareMotions, FramesOfOneRateBelongTogetherHoweverItIsSpelt) {
+  // Over so many frames the exact rates are half a frame apart.
+  Motion walk = examples::make_walk({.num_frames = 60'000, .frame_rate = 30});
+  walk.clip.timeline.given = FrameRate{30};
+  Motion other = walk;
+  other.clip.timeline.given = FrameRate{30.0003};
+  EXPECT_EQ(compare_motions(walk, other).distance.value, 0);
+}
+
 TEST(CompareMotions, FramesAreFoundByTheirTimesInWhateverOrder) {
   const Motion walk = examples::make_walk({.num_frames = 6});
   Motion mixed = walk;

@@ -149,6 +149,25 @@ TEST(Appended, RefusesOtherRatesAndTooLongFades) {
             "6 frames cannot be blended where a motion has 5");
 }
 
+TEST(Appended, ARateMayBeSpeltInSeveralWays) {
+  Motion all = examples::make_walk({.num_frames = 5, .frame_rate = 30});
+  all.clip.timeline.given = FrameTime{0.0333333};
+  const Motion first = all;
+  for (const double seconds : {0.033333, 0.03333323, 1.0 / 30}) {
+    Motion next = first;
+    next.clip.timeline.given = FrameTime{seconds};
+    auto joined = edit::append(std::move(all), next, 0);
+    ASSERT_TRUE(joined) << seconds;
+    all = std::move(*joined);
+  }
+  EXPECT_EQ(all.clip.num_frames, 20u);
+  EXPECT_EQ(all.clip.timeline, first.clip.timeline);
+  Motion slower = first;
+  slower.clip.timeline.given = FrameTime{0.0333667};
+  EXPECT_EQ(refusal_of(edit::append(all, slower, 0)),
+            "the frame rates differ: 30 and 29.97002997002997 frames a second");
+}
+
 TEST(Looped, KeepsEveryBit) {
   const Motion walk = examples::make_walk({.num_frames = 4});
   const auto thrice = edit::loop(walk, 3, 0, test::ignored());

@@ -48,6 +48,8 @@ TEST(NominalFrameRate, CutOffTimesStandForWholeRates) {
   EXPECT_EQ(nominal(0.04), 25);
   EXPECT_EQ(nominal(0.01), 100);
   EXPECT_EQ(nominal(1), 1);
+  EXPECT_EQ(nominal(0.03333323), 30) << "a part in 100,000 beside it, as in files of SOMA";
+  EXPECT_EQ(nominal(0.00833341), 120);
 }
 
 TEST(NominalFrameRate, TelevisionHasRatesOfItsOwn) {
@@ -63,6 +65,8 @@ TEST(NominalFrameRate, OtherTimesAreTakenAtTheirWord) {
   EXPECT_EQ(nominal(0.01237), 1 / 0.01237);
   EXPECT_EQ(nominal(2.5), 1 / 2.5);
   EXPECT_EQ(nominal(1e-12), 1 / 1e-12);
+  EXPECT_EQ(nominal(0.0333344), 1 / 0.0333344) << "too far from 30";
+  EXPECT_EQ(nominal(1.23456e-5), 1 / 1.23456e-5) << "81000.5, a rate in no use";
   EXPECT_EQ(nominal_frame_rate({FrameRate{29.97}, 0}), 29.97);
   EXPECT_EQ(nominal(0), std::numeric_limits<double>::infinity());
 }

@@ -39,6 +39,23 @@ TEST(Timeline, DurationIsOneFrameTimeLessThanTheFrames) {
   EXPECT_EQ(duration(timeline, 5), 2);
 }
 
+TEST(Timeline, SpellingsOfARateAgree) {
+  const std::vector<Timeline> thirty = {{FrameTime{0.0333333}, 0},  {FrameTime{0.033333}, 0},
+                                        {FrameTime{0.03333323}, 0}, {FrameTime{1.0 / 30}, 0},
+                                        {FrameTime{0.0333}, 0},     {FrameRate{30}, 0}};
+  const std::vector<Timeline> others = {{FrameTime{0.0333667}, 0}, {FrameRate{29.97}, 0},
+                                        {FrameRate{30.001}, 0},    {FrameTime{0.033}, 0},
+                                        {FrameTime{0.04}, 0},      {FrameRate{60}, 0}};
+  for (const Timeline& a : thirty) {
+    for (const Timeline& b : thirty) EXPECT_TRUE(have_same_rate(a, b) && have_same_times(a, b));
+    for (const Timeline& b : others) EXPECT_FALSE(have_same_rate(a, b) || have_same_rate(b, a));
+  }
+  EXPECT_TRUE(have_same_rate(others[0], others[1])) << "29.97 is 30 / 1.001";
+  EXPECT_TRUE(have_same_rate({FrameRate{23.976}, 0}, {FrameTime{0.0417083}, 0}));
+  EXPECT_TRUE(have_same_rate({FrameTime{1e300}, 0}, {FrameTime{1e300}, 0}));
+  EXPECT_FALSE(have_same_rate({FrameTime{1e300}, 0}, {FrameTime{1e299}, 0}));
+}
+
 double steady(std::vector<double> times) {
   const auto rate = steady_rate(times);
   return rate ? (rate->holds_times ? rate->per_second : -rate->per_second) : 0;

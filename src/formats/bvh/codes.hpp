@@ -43,5 +43,6 @@ inline constexpr char kPositionsChosen[] = "BVH034";
 inline constexpr char kPositionsDoubtful[] = "BVH035";
 inline constexpr char kNotExpressible[] = "BVH036";
 inline constexpr char kPositionsAdded[] = "BVH037";
+inline constexpr char kUnusualFrameTime[] = "BVH038";
 
 }  // namespace kinefile::bvh::code

@@ -118,6 +118,18 @@ void parse_frames(Parser& parser, const char* keyword_at, Counts& counts) {
                 "the rows are counted", token.data());
 }
 
+/// Notes times that are hardly meant: a rate, milliseconds or a slip in the place of seconds.
+void note_unusual_time(Parser& parser, double seconds, std::string_view token) {
+  constexpr double kShortest = 1e-4;
+  constexpr double kLongest = 1;
+  if (parser.options.has_rate || (seconds >= kShortest && seconds < kLongest)) return;
+  parser.report(Severity::Note, code::kUnusualFrameTime,
+                fmt::format("expected the seconds of a frame after Frame Time:, found {}, which "
+                            "makes {:.6g} frames a second; --fps says another rate",
+                            quoted_in_line(parser, token), 1 / seconds),
+                token.data());
+}
+
 void parse_frame_time(Parser& parser, const char* keyword_at, Counts& counts) {
   if (counts.frame_time_at != nullptr) {
     parser.report(Severity::Error, code::kGivenTwice, "expected one Frame Time, found another",
@@ -130,6 +142,7 @@ void parse_frame_time(Parser& parser, const char* keyword_at, Counts& counts) {
   const bool is_time = std::isfinite(number.value) && number.value > 0;
   if (is_time && (is_comma ? !parser.options.has_rate : number.fault == text::NumberFault::None)) {
     counts.frame_time = parse_value(parser, token, code::kBadFrameTime, {});
+    note_unusual_time(parser, number.value, token);
     return;
   }
   std::string message = fmt::format("expected seconds above 0 after Frame Time:, found {}",

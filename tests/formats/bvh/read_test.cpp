@@ -352,8 +352,8 @@ TEST(BvhRead, NestingHasALimit) {
       text += (d == 0 ? "ROOT j" : "JOINT j") + std::to_string(d) +
               " { OFFSET 0 1 0 CHANNELS 1 Zrotation\n";
     }
-    text +=
-        std::string(static_cast<std::size_t>(depth), '}') + "\nMOTION\nFrames: 1\nFrame Time: 1\n";
+    text += std::string(static_cast<std::size_t>(depth), '}') +
+            "\nMOTION\nFrames: 1\nFrame Time: 0.1\n";
     for (int d = 0; d < depth; ++d) text += "0 ";
     return text;
   };
@@ -384,7 +384,7 @@ TEST(BvhRead, DiagnosticsOfOneFileAreNotHeldAgainstTheNext) {
 TEST(BvhRead, AJointHasOnlySoManyChannels) {
   std::string text = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 3";
   for (int i = 0; i < 1001; ++i) text += " Xrotation";
-  EXPECT_EQ(codes(text + "\n}\nMOTION\nFrames: 0\nFrame Time: 1\n"),
+  EXPECT_EQ(codes(text + "\n}\nMOTION\nFrames: 0\nFrame Time: 0.1\n"),
             std::vector<std::string>{"BVH008"});
 }
 

@@ -2,6 +2,9 @@
 // Tables of joint values, in and out. tests/formats/csv/invalid holds a file for every code that
 // reading can give, and beside it the exact diagnostics.
 
+#include <fmt/format.h>
+
+#include "formats/table_rate.hpp"
 #include "kinefile/robot.hpp"
 #include "support/seq.hpp"
 
@@ -88,6 +91,72 @@ TEST(Csv, TheRateIsWhatTheTimesTell) {
   EXPECT_EQ(rate_of("0,1\n0.011,1\n0.022,1\n0.033,1\n0.044,1\n0.056,1\n0.067,1\n"), 90);
   const auto read = read_csv("time,A\n0,1\n0.1,2\n0.3,3\n");
   EXPECT_EQ(own_times(components_of(read)[0].timeline), (std::vector<double>{0, 0.1, 0.3}));
+}
+
+/// A table of one joint whose times are printed with few decimals.
+std::string printed_table(double rate, int decimals, int num_rows, double start) {
+  std::string table = "time,A\n";
+  for (int i = 0; i < num_rows; ++i) {
+    table += fmt::format("{:.{}f},{}\n", start + i / rate, decimals, i);
+  }
+  return table;
+}
+
+TEST(Csv, RoundedTimesAreSteady) {
+  for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 100.0, 120.0, 240.0}) {
+    for (const int decimals : {3, 4, 5, 6}) {
+      for (const int num_rows : {2, 3, 4, 7, 20, 61, 5000}) {
+        for (const double start : {0.0, 1.0, 12.3456789}) {
+          const auto read = read_csv(printed_table(rate, decimals, num_rows, start));
+          const Component& joints = components_of(read)[0];
+          EXPECT_FALSE(has_own_times(joints.timeline));
+          // A few rows in milliseconds do not tell 240 from 250, or from anywhere 24 from 25.
+          const bool is_told = num_rows >= 20 || (start == 0 && (rate != 240 || num_rows >= 7));
+          if (!is_told && decimals == 3) continue;
+          EXPECT_EQ(frame_rate(joints.timeline), rate)
+              << decimals << " decimals, " << num_rows << " rows, from " << start;
+        }
+      }
+    }
+  }
+}
+
+TEST(Csv, OtherRatesAreFoundInRoundedTimes) {
+  const auto rate_of = [](double rate, int decimals) {
+    return frame_rate(components_of(read_csv(printed_table(rate, decimals, 3000, 0)))[0].timeline);
+  };
+  for (const double rate : {72.0, 90.0, 144.0, 7.5, 12.5, 29.97, 23.976, 33.3}) {
+    for (const int decimals : {3, 4}) {
+      const double found = rate_of(rate, decimals);
+      EXPECT_NEAR(found, rate, 2e-6 * rate) << decimals;
+    }
+  }
+  EXPECT_EQ(rate_of(30 / 1.001, 4), 30.0 * 1000 / 1001);
+  // Cut off, not rounded.
+  const auto read = read_csv("time,A\n0.000,1\n0.016,1\n0.033,1\n0.050,1\n0.066,1\n0.083,1\n");
+  EXPECT_EQ(frame_rate(components_of(read)[0].timeline), 60);
+}
+
+TEST(Csv, GapsAndJitterAreNotRounding) {
+  for (const char* const rows :
+       {"0,1\n0.017,1\n0.033,1\n0.067,1\n0.083,1\n",
+        "0.000,1\n0.017,1\n0.036,1\n0.050,1\n0.067,1\n0.083,1\n", "0.0,1\n0.1,1\n0.2,1\n0.4,1\n",
+        "3.000,1\n3.033,1\n3.100,1\n3.133,1\n", "0.0000,1\n0.0333,1\n0.0669,1\n0.1000,1\n"}) {
+    const auto read = read_csv(std::string("time,A\n") + rows);
+    EXPECT_TRUE(has_own_times(components_of(read)[0].timeline)) << rows;
+  }
+}
+
+TEST(Csv, TheLastPrintedDigitCounts) {
+  const auto half = [](std::string_view text) {
+    return half_of_last_digit(text.data(), text.data() + text.size());
+  };
+  EXPECT_DOUBLE_EQ(half("0.050,1"), 0.0005);
+  EXPECT_DOUBLE_EQ(half("\"0.050\",1"), 0.0005);
+  EXPECT_DOUBLE_EQ(half("  12 0.25"), 0.5);
+  EXPECT_DOUBLE_EQ(half(".5"), 0.05);
+  EXPECT_DOUBLE_EQ(half("1.667e-02 3"), 0.000005);
+  EXPECT_DOUBLE_EQ(half("1.2E+1"), 0.5);
 }
 
 TEST(Csv, AJointThatFollowsNeedsNoColumn) {

@@ -77,7 +77,7 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
 /// (3u^2 - 2u^3) into the first frames of the second. The second is rotated only if all such joints
 /// turn about three axes or move freely. The skeletons must have the same names, parents, degrees
 /// of freedom and columns, and offsets within 1e-6 of the skeleton's size; rest values may differ.
-/// Frame rates must agree (see `have_same_rate`), unless frames have their own times: these continue
+/// Frame rates must agree (see `have_same_rate`) unless frames have their own times, which go on
 /// after the median step of the first.
 /// \errors EDT005 (Usage) if the skeletons or frame rates differ, one has fewer frames than are to
 ///         be blended, or the result would have more than 2^30 values

@@ -156,7 +156,7 @@ TEST(Appended, ARateMayBeSpeltInSeveralWays) {
   for (const double seconds : {0.033333, 0.03333323, 1.0 / 30}) {
     Motion next = first;
     next.clip.timeline.given = FrameTime{seconds};
-    auto joined = edit::append(std::move(all), next, 0);
+    auto joined = edit::append(std::move(all), next, 0, test::ignored());
     ASSERT_TRUE(joined) << seconds;
     all = std::move(*joined);
   }
@@ -164,7 +164,7 @@ TEST(Appended, ARateMayBeSpeltInSeveralWays) {
   EXPECT_EQ(all.clip.timeline, first.clip.timeline);
   Motion slower = first;
   slower.clip.timeline.given = FrameTime{0.0333667};
-  EXPECT_EQ(refusal_of(edit::append(all, slower, 0)),
+  EXPECT_EQ(refusal_of(edit::append(all, slower, 0, test::ignored())),
             "the frame rates differ: 30 and 29.97002997002997 frames a second");
 }
 

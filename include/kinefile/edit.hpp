@@ -60,23 +60,33 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
 /// axis that points up (see `guess_up_axis`) keep every bit.
 Motion in_place(Motion motion);
 
+/// How a motion that is blended into another is moved to where that one is.
+struct GroundOptions {
+  bool is_moved = true;  ///< false for numbers that are no places in the world, such as values of
+                         ///< joints: they are blended as they are
+  std::optional<std::size_t> up_axis = std::nullopt;  ///< 0 for x, 1 for y, 2 for z; else see
+                                                      ///< `guess_up_axis`
+};
+
 /// The motion repeated `count` times. Frames' own times continue after their median step (see
 /// `median_step`). Without blending every bit is kept, and the figure jumps back to its start; with
 /// blending see `append`.
 /// \errors EDT005 (Usage) as for `append`, if `count` is 0, or if the result would be too large
-Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames);
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
+                    const GroundOptions& ground = {});
 
 /// One motion followed by another. Without blending every bit is kept. With blending, the second
 /// motion is translated and rotated on the ground so that in the middle of the overlap its root
 /// coincides with the root of the first. The last frames of the first are blended (3u^2 - 2u^3)
 /// into the first frames of the second. The second is rotated only if all roots turn about three
-/// axes or move freely. The skeletons must have the same names, parents, degrees of freedom and
-/// columns, and offsets within 1e-6 of the skeleton's size; rest values may differ. Frame rates
-/// must agree (see `have_same_rate`), unless frames have their own times: these continue after the
-/// median step of the first.
-/// \errors EDT005 (Usage) if the skeletons or frame rates differ, one has fewer frames than are to
+/// axes, move freely or are points. The skeletons must have the same names, parents, degrees of
+/// freedom and columns, and offsets within 1e-6 of the skeleton's size; rest values may differ.
+/// Frame rates must agree (see `have_same_rate`), unless frames have their own times: these
+/// continue after the median step of the first. \errors EDT005 (Usage) if the skeletons or frame
+/// rates differ, one has fewer frames than are to
 ///         be blended, or the result would have more than 2^30 values
-Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames);
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
+                      const GroundOptions& ground = {});
 
 /// The motion of some joints and all their ancestors, which keep their positions in the world. A
 /// joint that loses all children and has no tip gets tips where they were; a child that was

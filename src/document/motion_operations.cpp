@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "document/join_components.hpp"
 #include "document/operation_tables.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
@@ -137,9 +138,16 @@ struct Loop {
   std::size_t blend = 0;
 };
 
-Result<Motion> repeat(const Motion& motion, const Loop& loop, const OperationContext&,
-                      Diagnostics&) {
-  return edit::loop(motion, loop.count, loop.blend);
+Result<void> repeat(Document& document, const Loop& loop, const OperationContext&, Diagnostics&) {
+  if (BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    return join_components(
+        *body, nullptr,
+        [&](const Motion& motion, const Motion*, const edit::GroundOptions& ground) {
+          return edit::loop(motion, loop.count, loop.blend, ground);
+        });
+  }
+  return change_motion(
+      document, [&](const Motion& motion) { return edit::loop(motion, loop.count, loop.blend); });
 }
 
 constexpr OptionInfo kBlend = {.name = "blend",
@@ -163,15 +171,33 @@ struct Append {
   std::size_t blend = 0;
 };
 
-Result<Motion> append_file(Motion motion, const Append& append, const OperationContext& context,
-                           Diagnostics&) {
+/// What a file that cannot follow holds.
+std::string_view content_of(const Document& document) {
+  if (std::holds_alternative<Motion>(document.content)) return "a motion, and no components";
+  if (std::holds_alternative<BodyMotion>(document.content)) return "components, and no skeleton";
+  return has_skeleton(document) ? "a skeleton alone" : "no motion";
+}
+
+Result<void> append_file(Document& document, const Append& append, const OperationContext& context,
+                         Diagnostics&) {
   const auto other = open_other(append.file, context);
   if (!other) return fail(other.error());
+  BodyMotion* const body = std::get_if<BodyMotion>(&document.content);
+  const BodyMotion* const next = std::get_if<BodyMotion>(&other->content);
+  if (body != nullptr && next != nullptr) {
+    return join_components(
+        *body, next, [&](Motion first, const Motion* second, const edit::GroundOptions& ground) {
+          return edit::append(std::move(first), *second, append.blend, ground);
+        });
+  }
   const Motion* second = std::get_if<Motion>(&other->content);
-  if (second != nullptr) return edit::append(std::move(motion), *second, append.blend);
+  if (body == nullptr && second != nullptr) {
+    return change_motion(document, [&](Motion first) {
+      return edit::append(std::move(first), *second, append.blend);
+    });
+  }
   return fail(make_error(ErrorKind::Usage, "CLI001",
-                         fmt::format("'{}' holds {}", append.file,
-                                     has_skeleton(*other) ? "a skeleton alone" : "no motion")));
+                         fmt::format("'{}' holds {}", append.file, content_of(*other))));
 }
 
 constexpr std::array<Parameter, 2> kAppend = {
@@ -346,13 +372,14 @@ OperationInfo loop() {
   return {.name = "loop",
           .help = "N times, over F frames from one into the next",
           .works_on_components = true,
-          .form = motion_form<Loop, repeat>(kLoop)};
+          .form = form<Loop, repeat>(kLoop)};
 }
 
 OperationInfo append() {
   return {.name = "append",
           .help = "Another motion of the same skeleton after this one",
-          .form = motion_form<Append, append_file>(kAppend)};
+          .works_on_components = true,
+          .form = form<Append, append_file>(kAppend)};
 }
 
 OperationInfo joints() {

@@ -28,7 +28,17 @@ std::vector<std::size_t> roots_of(const Skeleton& skeleton) {
   return roots;
 }
 
-bool can_turn(const Joint& joint) { return can_turn_in_any_way(rotations_of(joint)); }
+/// Whether a root is a point: a turn about another place moves it, and that is all.
+bool is_point(const Skeleton& skeleton, std::size_t root) {
+  const Joint& joint = skeleton.joints[root];
+  return rotations_of(joint).empty() && joint.tips.empty() &&
+         std::none_of(skeleton.joints.begin(), skeleton.joints.end(),
+                      [root](const Joint& other) { return other.parent == root; });
+}
+
+bool can_turn(const Skeleton& skeleton, std::size_t root) {
+  return can_turn_in_any_way(rotations_of(skeleton.joints[root])) || is_point(skeleton, root);
+}
 
 /// A rigid motion on the ground: a rotation about the axis that points up, then a translation.
 struct GroundMove {
@@ -85,7 +95,7 @@ void move_root(const Joint& root, const GroundMove& move, std::span<const double
     const Vec3 place = position_in_row(root.offset, translations, rows[f]);
     fit_position(root.offset, translations, move.turn * place + move.shift, rows[f]);
   }
-  if (move.turn.vec().norm() == 0) return;
+  if (move.turn.vec().norm() == 0 || rotations_of(root).empty()) return;
   const Quat turn = root.rest_rotation.conjugate() * move.turn * root.rest_rotation;
   turn_root(root, turn, before, unit, clip);
 }
@@ -169,7 +179,8 @@ void fade_turns(const Fade& fade, const std::vector<DegreeOfFreedom>& rotations,
 
 }  // namespace
 
-Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame) {
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame,
+                std::size_t up_axis) {
   const Skeleton& skeleton = motion.skeleton;
   const auto roots = roots_of(skeleton);
   const auto lead = std::find_if(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
@@ -177,9 +188,9 @@ Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size
   });
   if (lead == roots.end()) return motion;
   const bool is_turned = std::all_of(roots.begin(), roots.end(), [&skeleton](std::size_t root) {
-    return can_turn(skeleton.joints[root]);
+    return can_turn(skeleton, root);
   });
-  const auto up = static_cast<Eigen::Index>(guess_up_axis(other));
+  const auto up = static_cast<Eigen::Index>(up_axis);
   const auto before = other.clip.row(other_frame);
   const GroundMove move = move_between(skeleton.joints[*lead], motion.clip.row(frame), before, up,
                                        is_turned, skeleton.angle_unit);

@@ -10,9 +10,11 @@ namespace kinefile::edit {
 
 /// Translates and rotates a motion on the ground so that its first moving root has, in `frame`, the
 /// same ground position and heading as in `other_frame` of another motion. It is rotated only if
-/// all roots can represent every rotation.
+/// all roots can represent every rotation or are points.
 /// \param other  has the same skeleton
-Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame);
+/// \param up_axis  0 for x, 1 for y, 2 for z
+Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame,
+                std::size_t up_axis);
 
 /// Blends the poses of some frames into those of another clip: three rotations of a joint as one
 /// rotation, like balls and rotation vectors; other values as numbers.

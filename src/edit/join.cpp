@@ -132,15 +132,19 @@ void append_rows(Clip& first, const Clip& second, std::size_t begin) {
 }
 
 /// Appends a compatible motion (see `obstacle_to`).
-void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames) {
+void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames,
+               const GroundOptions& ground) {
   append_times(first.clip, second.clip, num_blend_frames);
   if (num_blend_frames == 0) {
     append_rows(first.clip, second.clip, 0);
     return;
   }
   const std::size_t overlap = first.clip.num_frames - num_blend_frames;
-  const Motion moved =
-      moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2);
+  const std::size_t half = num_blend_frames / 2;
+  const Motion moved = ground.is_moved
+                           ? moved_to(second, half, first, overlap + half,
+                                      ground.up_axis ? *ground.up_axis : guess_up_axis(first))
+                           : second;
   std::vector<double> weights;
   for (std::size_t i = 0; i < num_blend_frames; ++i) {
     const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
@@ -154,18 +158,20 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
 
 }  // namespace
 
-Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames) {
+Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
+                      const GroundOptions& ground) {
   if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
     return fail(cannot_join("the motion would have more than 2^30 values"));
   }
-  append_to(first, second, num_blend_frames);
+  append_to(first, second, num_blend_frames, ground);
   return first;
 }
 
-Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames) {
+Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
+                    const GroundOptions& ground) {
   const Clip& clip = motion.clip;
   if (count == 0) return fail(cannot_join("a motion cannot be played 0 times"));
   if (num_blend_frames > clip.num_frames) {
@@ -179,7 +185,7 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
   Motion result = motion;
   if (clip.num_frames == 0) return result;
   result.clip.values.reserve(clip.values.size() * count);
-  for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames);
+  for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames, ground);
   return result;
 }
 

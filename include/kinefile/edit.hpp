@@ -68,21 +68,23 @@ Motion in_place(Motion motion, Diagnostics& diagnostics);
 /// blending see `append`.
 /// \errors EDT005 (Usage) as for `append`, if `count` is 0, or if the result would be too large
 Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
-                    Diagnostics& diagnostics);
+                    Diagnostics& diagnostics, bool is_moved = true);
 
 /// One motion followed by another. Without blending every bit is kept. With blending, the second
 /// motion is translated and rotated on the ground so that in the middle of the overlap the joint
 /// that carries it (see `find_travellers`) coincides with that of the first; the ground is level
 /// with the axis that points up (see `settle_up_axis`). The last frames of the first are blended
 /// (3u^2 - 2u^3) into the first frames of the second. The second is rotated only if all such joints
-/// turn about three axes or move freely. The skeletons must have the same names, parents, degrees
-/// of freedom and columns, and offsets within 1e-6 of the skeleton's size; rest values may differ.
-/// Frame rates must agree (see `have_same_rate`) unless frames have their own times, which go on
-/// after the median step of the first.
+/// turn about three axes, move freely or are points. The skeletons must have the same names,
+/// parents, degrees of freedom and columns, and offsets within 1e-6 of the skeleton's size; rest
+/// values may differ. Frame rates must agree (see `have_same_rate`) unless frames have their own
+/// times, which go on after the median step of the first. \param is_moved  false for numbers that
+/// are no places in the world, such as values of joints:
+///                  they are blended as they are
 /// \errors EDT005 (Usage) if the skeletons or frame rates differ, one has fewer frames than are to
 ///         be blended, or the result would have more than 2^30 values
 Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
-                      Diagnostics& diagnostics);
+                      Diagnostics& diagnostics, bool is_moved = true);
 
 /// The motion of some joints and all their ancestors, which keep their positions in the world. A
 /// joint that loses all children and has no tip gets tips where they were; a child that was

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,17 @@ Motion motion_of_component(const Component& component);
 
 /// A component with the frames, values and rate of the motion that `motion_of_component` made.
 Component with_frames_of(const Component& component, const Motion& motion);
+
+/// Whether a component holds places in the world: the poses of links, or a ZMP that is not relative
+/// to the root link. What other components mean is not known, or it is no place: values of joints.
+bool is_in_world(const Component& component);
+
+/// Components side by side, as one motion of separate parts, at the times of the first. All have
+/// one length.
+Motion side_by_side(std::span<const Component* const> components);
+
+/// Gives components the frames, values and rate of the motion that `side_by_side` made.
+void put_side_by_side(const Motion& motion, std::span<Component* const> components);
 
 /// The links of a body motion in the world, as recorded: no model is needed.
 /// \errors BRG010 (Usage) if it has no link poses

@@ -115,9 +115,11 @@ bool repeats_an_axis(const Joint& joint);
 /// with one or two rotations about x, y or z keeps their values, and gets the rotations that it
 /// lacks as zeros. Joints with rotations about or translations along axes other than x, y and z, or
 /// with shared columns, get new rotations about and positions along x, y and z. Balls and rotation
-/// vectors become angles; values with a gain or a shift get their own columns. If a joint loses its
-/// position channels and they are constant, they become part of its offset. \errors EDT001
-/// (DataLoss) if they are not constant, and not `lenient`;
+/// vectors become angles; values with a gain or a shift get their own columns.
+/// If a joint loses its position channels and they are constant, they become part of its offset; so
+/// do those that waver by a thousandth of its bone at the most (see `noise_of_place`), with a note
+/// of what is lost (EDT013).
+/// \errors EDT001 (DataLoss) if they change by more, and not `lenient`;
 ///         EDT002 (Usage) for a joint that moves freely
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics);

@@ -18,6 +18,10 @@ inline bool takes_components(const Conventions& conventions) {
   return takes_bodies_alone(conventions) || conventions.has_columns_of_components;
 }
 
+/// Expects that the known components of a body motion have one length and rate.
+/// \errors CLI002 (Usage) if they do not
+Result<void> expect_agreement(const BodyMotion& body);
+
 /// Puts a motion into a document with a skeleton: its skeleton alone if the document has no frames.
 inline void put_motion(Motion motion, Document& document) {
   if (std::holds_alternative<Skeleton>(document.content)) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "document/join_components.hpp"
 #include "document/operation_tables.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/kinematics.hpp"
@@ -138,9 +139,16 @@ struct Loop {
   std::size_t blend = 0;
 };
 
-Result<Motion> repeat(const Motion& motion, const Loop& loop, const OperationContext&,
-                      Diagnostics& diagnostics) {
-  return edit::loop(motion, loop.count, loop.blend, diagnostics);
+Result<void> repeat(Document& document, const Loop& loop, const OperationContext&,
+                    Diagnostics& diagnostics) {
+  if (BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    return join_components(*body, nullptr, [&](const Motion& motion, const Motion*, bool is_moved) {
+      return edit::loop(motion, loop.count, loop.blend, diagnostics, is_moved);
+    });
+  }
+  return change_motion(document, [&](const Motion& motion) {
+    return edit::loop(motion, loop.count, loop.blend, diagnostics);
+  });
 }
 
 constexpr OptionInfo kBlend = {.name = "blend",
@@ -164,17 +172,32 @@ struct Append {
   std::size_t blend = 0;
 };
 
-Result<Motion> append_file(Motion motion, const Append& append, const OperationContext& context,
-                           Diagnostics& diagnostics) {
+/// What a file that cannot follow holds.
+std::string_view content_of(const Document& document) {
+  if (std::holds_alternative<Motion>(document.content)) return "a motion, and no components";
+  if (std::holds_alternative<BodyMotion>(document.content)) return "components, and no skeleton";
+  return has_skeleton(document) ? "a skeleton alone" : "no motion";
+}
+
+Result<void> append_file(Document& document, const Append& append, const OperationContext& context,
+                         Diagnostics& diagnostics) {
   const auto other = open_other(append.file, context);
   if (!other) return fail(other.error());
+  BodyMotion* const body = std::get_if<BodyMotion>(&document.content);
+  const BodyMotion* const next = std::get_if<BodyMotion>(&other->content);
+  if (body != nullptr && next != nullptr) {
+    return join_components(*body, next, [&](Motion first, const Motion* second, bool is_moved) {
+      return edit::append(std::move(first), *second, append.blend, diagnostics, is_moved);
+    });
+  }
   const Motion* second = std::get_if<Motion>(&other->content);
-  if (second != nullptr) {
-    return edit::append(std::move(motion), *second, append.blend, diagnostics);
+  if (body == nullptr && second != nullptr) {
+    return change_motion(document, [&](Motion first) {
+      return edit::append(std::move(first), *second, append.blend, diagnostics);
+    });
   }
   return fail(make_error(ErrorKind::Usage, "CLI001",
-                         fmt::format("'{}' holds {}", append.file,
-                                     has_skeleton(*other) ? "a skeleton alone" : "no motion")));
+                         fmt::format("'{}' holds {}", append.file, content_of(*other))));
 }
 
 constexpr std::array<Parameter, 2> kAppend = {
@@ -349,13 +372,14 @@ OperationInfo loop() {
   return {.name = "loop",
           .help = "N times, over F frames from one into the next",
           .works_on_components = true,
-          .form = motion_form<Loop, repeat>(kLoop)};
+          .form = form<Loop, repeat>(kLoop)};
 }
 
 OperationInfo append() {
   return {.name = "append",
           .help = "Another motion of the same skeleton after this one",
-          .form = motion_form<Append, append_file>(kAppend)};
+          .works_on_components = true,
+          .form = form<Append, append_file>(kAppend)};
 }
 
 OperationInfo joints() {

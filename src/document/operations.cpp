@@ -188,17 +188,24 @@ Result<void> apply(std::span<const Operation> operations, Document& document,
   return {};
 }
 
-Result<void> change_components(BodyMotion& body, bool must_agree,
-                               const std::function<Result<Motion>(Motion)>& change) {
+Result<void> expect_agreement(const BodyMotion& body) {
   const Component* main = main_component(body);
   for (const Component& component : body.components) {
-    if (!must_agree || main == nullptr || !disagrees(component, *main)) continue;
+    if (main == nullptr || !disagrees(component, *main)) continue;
     return fail(
         ErrorKind::Usage, "CLI002",
         fmt::format("expected components of one length and rate, found {} frames at {} a second of "
                     "'{}' beside {} at {}",
                     component.num_frames, frame_rate(component.timeline), component.content,
                     main->num_frames, frame_rate(main->timeline)));
+  }
+  return {};
+}
+
+Result<void> change_components(BodyMotion& body, bool must_agree,
+                               const std::function<Result<Motion>(Motion)>& change) {
+  if (must_agree) {
+    if (auto agreed = expect_agreement(body); !agreed) return agreed;
   }
   for (Component& component : body.components) {
     if (component.kind == ComponentKind::Other) continue;

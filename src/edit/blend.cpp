@@ -23,7 +23,17 @@ Quat rotation_of(const Traveller& traveller, const Joint& joint, std::span<const
   return traveller.is_root ? in_parent : Quat(traveller.world_from_parent * in_parent);
 }
 
-bool can_turn(const Joint& joint) { return can_turn_in_any_way(rotations_of(joint)); }
+/// Whether a joint is a point: a turn about another place moves it, and that is all.
+bool is_point(const Skeleton& skeleton, std::size_t root) {
+  const Joint& joint = skeleton.joints[root];
+  return rotations_of(joint).empty() && joint.tips.empty() &&
+         std::none_of(skeleton.joints.begin(), skeleton.joints.end(),
+                      [root](const Joint& other) { return other.parent == root; });
+}
+
+bool can_turn(const Skeleton& skeleton, std::size_t root) {
+  return can_turn_in_any_way(rotations_of(skeleton.joints[root])) || is_point(skeleton, root);
+}
 
 /// A rigid motion on the ground: a rotation about the axis that points up, then a translation.
 struct GroundMove {
@@ -75,7 +85,7 @@ void move_traveller(const Traveller& traveller, const Joint& joint, const Ground
   for (std::size_t f = 0; !traveller.translations.empty() && f < clip.num_frames; ++f) {
     move_to(traveller, move.turn * position_of(traveller, rows[f]) + move.shift, rows[f]);
   }
-  if (move.turn.vec().norm() == 0) return;
+  if (move.turn.vec().norm() == 0 || rotations_of(joint).empty()) return;
   Quat in_parent = move.turn;
   in_parent.vec() = to_parent(traveller, move.turn.vec());
   turn_joint(joint, joint.rest_rotation.conjugate() * in_parent * joint.rest_rotation, before, unit,
@@ -172,8 +182,9 @@ Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size
   const Traveller there = travellers_of(other, std::array{lead->joint}).front();
   const auto before = other.clip.row(other_frame);
   const auto row = motion.clip.row(frame);
-  const bool is_turned = std::all_of(travellers.begin(), travellers.end(),
-                                     [&](const Traveller& t) { return can_turn(joints[t.joint]); });
+  const bool is_turned = std::all_of(travellers.begin(), travellers.end(), [&](const Traveller& t) {
+    return can_turn(motion.skeleton, t.joint);
+  });
   std::optional<Quat> turn;
   if (is_turned) {
     const Joint& joint = joints[lead->joint];

@@ -17,7 +17,7 @@ struct Ground {
 
 /// Translates and rotates a motion on the ground so that its first traveller has, in `frame`, the
 /// same ground position and heading as in `other_frame` of another motion. It is rotated only if
-/// all travellers can represent every rotation.
+/// all travellers can represent every rotation or are points.
 /// \param other  has the same skeleton
 Motion moved_to(Motion motion, std::size_t frame, const Motion& other, std::size_t other_frame,
                 const Ground& ground);

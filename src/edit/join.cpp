@@ -144,17 +144,17 @@ Ground ground_of(const Motion& first, const Motion& second, Diagnostics& diagnos
 }
 
 /// Appends a compatible motion (see `obstacle_to`).
-/// \param ground  needed only for blending
+/// \param ground  absent: the second motion is blended where it is
 void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames,
-               const Ground& ground) {
+               const std::optional<Ground>& ground) {
   append_times(first.clip, second.clip, num_blend_frames);
   if (num_blend_frames == 0) {
     append_rows(first.clip, second.clip, 0);
     return;
   }
   const std::size_t overlap = first.clip.num_frames - num_blend_frames;
-  const Motion moved =
-      moved_to(second, num_blend_frames / 2, first, overlap + num_blend_frames / 2, ground);
+  const std::size_t half = num_blend_frames / 2;
+  const Motion moved = ground ? moved_to(second, half, first, overlap + half, *ground) : second;
   std::vector<double> weights;
   for (std::size_t i = 0; i < num_blend_frames; ++i) {
     const double u = static_cast<double>(i + 1) / static_cast<double>(num_blend_frames + 1);
@@ -169,21 +169,21 @@ void append_to(Motion& first, const Motion& second, std::size_t num_blend_frames
 }  // namespace
 
 Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_frames,
-                      Diagnostics& diagnostics) {
+                      Diagnostics& diagnostics, bool is_moved) {
   if (auto error = obstacle_to(first, second, num_blend_frames)) return fail(std::move(*error));
   const double num_frames =
       static_cast<double>(first.clip.num_frames) + static_cast<double>(second.clip.num_frames);
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
     return fail(cannot_join("the motion would have more than 2^30 values"));
   }
-  Ground ground;
-  if (num_blend_frames > 0) ground = ground_of(first, second, diagnostics);
+  std::optional<Ground> ground;
+  if (num_blend_frames > 0 && is_moved) ground = ground_of(first, second, diagnostics);
   append_to(first, second, num_blend_frames, ground);
   return first;
 }
 
 Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_blend_frames,
-                    Diagnostics& diagnostics) {
+                    Diagnostics& diagnostics, bool is_moved) {
   const Clip& clip = motion.clip;
   if (count == 0) return fail(cannot_join("a motion cannot be played 0 times"));
   if (num_blend_frames > clip.num_frames) {
@@ -197,8 +197,8 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
   Motion result = motion;
   if (clip.num_frames == 0) return result;
   result.clip.values.reserve(clip.values.size() * count);
-  Ground ground;
-  if (num_blend_frames > 0) ground = ground_of(motion, motion, diagnostics);
+  std::optional<Ground> ground;
+  if (num_blend_frames > 0 && is_moved) ground = ground_of(motion, motion, diagnostics);
   for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames, ground);
   return result;
 }

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "kinefile/edit.hpp"
+#include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "model/joint_names.hpp"
 
@@ -34,30 +36,47 @@ Result<std::vector<bool>> select_with_ancestors(const Skeleton& skeleton,
   return is_kept;
 }
 
-/// The position of a joint in its parent's frame in all frames; nothing if it is translated.
-std::optional<Vec3> fixed_place(const Joint& joint, const Clip& clip) {
+/// The place of a joint in its parent's frame in all frames.
+struct FixedPlace {
+  Vec3 place = Vec3::Zero();
+  double noise = 0;  ///< how far the joint is from it at the most, along one axis
+};
+
+/// Nothing if the joint moves by more than noise.
+std::optional<FixedPlace> fixed_place(const Joint& joint, const Clip& clip, double size) {
+  const double noise = noise_of_place(joint, size);
+  FixedPlace fixed;
+  std::vector<double> row(clip.num_coordinates, 0.0);
   const std::vector<Translation> translations = translations_of(joint);
-  if (translations.empty() || clip.num_frames == 0) return rest_offset(joint);
-  for (const Translation& translation : translations) {
-    const std::size_t column = translation.dof.coordinate;
-    if (!is_always(clip, column, clip.row(0)[column])) return std::nullopt;
+  for (const auto& [axis, dof] : translations) {
+    const double gain = std::abs(dof.gain);
+    const auto settled =
+        settled_number(clip, dof.coordinate, dof.rest, gain > 0 ? noise / gain : noise);
+    if (!settled) return std::nullopt;
+    row[dof.coordinate] = settled->number;
+    fixed.noise = std::max(fixed.noise, gain * settled->loss);
   }
-  const Vec3 place = position_in_row(joint.offset, translations, clip.row(0));
-  return place.allFinite() ? std::optional(place) : std::nullopt;
+  fixed.place = position_in_row(joint.offset, translations, row);
+  return fixed;
 }
 
 /// Adds tips at the positions of a joint's removed children.
 void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Joint& joint,
               Diagnostics& diagnostics) {
+  const double size = rest_size(motion.skeleton);
   for (const std::size_t c : children) {
     const Joint& child = motion.skeleton.joints[c];
-    const auto place = fixed_place(child, motion.clip);
-    if (!place) {
+    const auto fixed = fixed_place(child, motion.clip, size);
+    if (!fixed) {
       diagnostics.add(Severity::Warning, "EDT010",
                       fmt::format("joint '{}' moves on '{}', which gets a tip where it rests",
                                   child.name, joint.name));
+    } else if (fixed->noise > 0) {
+      diagnostics.add(Severity::Note, "EDT013",
+                      fmt::format("joint '{}' stays on '{}' but for noise of {:.2g}, which is lost",
+                                  child.name, joint.name, fixed->noise));
     }
-    joint.tips.push_back({"", place.value_or(rest_offset(child))});
+    joint.tips.push_back({"", fixed ? fixed->place : rest_offset(child)});
   }
 }
 

@@ -10,7 +10,7 @@
 namespace kinefile {
 namespace {
 
-/// Printed times.
+/// Times as they are printed.
 struct PrintedTimes {
   std::span<const double> times;
   std::span<const double> half_digits;
@@ -22,19 +22,29 @@ enum class Start {
   Anywhere  ///< near the first time
 };
 
-/// Whether times are those of consecutive frames at a rate, within the rounding of their digits.
-bool do_fit(const PrintedTimes& printed, double rate, Start start) {
+/// How far a time may be from its frame.
+double slack_of(const PrintedTimes& printed, std::size_t i, double period) {
   constexpr double kMost = 0.125;     // of a period
   constexpr double kRounding = 1e-9;  // of a period, by arithmetic
+  return std::min(printed.half_digits[i], kMost * period) + kRounding * period;
+}
+
+/// How far the first of consecutive frames can be shifted with every time still at its frame;
+/// below 0 if they fit nowhere.
+double room_of(const PrintedTimes& printed, double period, Start start) {
   double earliest = start == Start::AtZero ? 0 : -std::numeric_limits<double>::infinity();
   double latest = -earliest;
-  for (std::size_t i = 0; i < printed.times.size() && earliest <= latest; ++i) {
-    const double first = printed.times[i] - static_cast<double>(i) / rate;
-    const double slack = std::min(printed.half_digits[i], kMost / rate) + kRounding / rate;
+  for (std::size_t i = 0; i < printed.times.size(); ++i) {
+    const double first = printed.times[i] - static_cast<double>(i) * period;
+    const double slack = slack_of(printed, i, period);
     earliest = std::max(earliest, first - slack);
     latest = std::min(latest, first + slack);
   }
-  return earliest <= latest;
+  return latest - earliest;
+}
+
+bool do_fit(const PrintedTimes& printed, double rate, Start start) {
+  return room_of(printed, 1 / rate, start) >= 0;
 }
 
 /// The rate nearest to an estimate that fits; 0 if none does.
@@ -54,13 +64,66 @@ double usual_rate(const PrintedTimes& printed, double estimate, Start start) {
   return nearest_that_fits(printed, television_rates(), estimate, start);
 }
 
-/// The rate with the fewest decimals that fits; 0 if none does.
-double shortest_rate(const PrintedTimes& printed, double estimate, Start start) {
-  for (double scale = 1; scale <= 1e9; scale *= 10) {
-    const double rate = std::round(estimate * scale) / scale;
-    if (rate > 0 && do_fit(printed, rate, start)) return rate;
+/// A range of periods.
+struct Periods {
+  double least;
+  double greatest;
+};
+
+/// The period with the most room in a range.
+double roomiest(const PrintedTimes& printed, Periods range, Start start) {
+  constexpr int kSteps = 60;
+  // The room is concave.
+  for (int step = 0; step < kSteps; ++step) {
+    const double third = (range.greatest - range.least) / 3;
+    const double a = range.least + third;
+    const double b = range.greatest - third;
+    if (room_of(printed, a, start) < room_of(printed, b, start)) {
+      range.least = a;
+    } else {
+      range.greatest = b;
+    }
   }
-  return 0;
+  return 0.5 * (range.least + range.greatest);
+}
+
+/// The last period that fits on the way from one that fits to one that does not.
+double border(const PrintedTimes& printed, double inside, double outside, Start start) {
+  constexpr int kSteps = 50;
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = 0.5 * (inside + outside);
+    (room_of(printed, middle, start) >= 0 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// All periods that fit.
+/// \param mean  from the first time to the last
+std::optional<Periods> fitting_periods(const PrintedTimes& printed, double mean, Start start) {
+  const std::size_t last = printed.times.size() - 1;
+  const double reach = slack_of(printed, 0, mean) + slack_of(printed, last, mean);
+  // No other period brings more room than this.
+  if (room_of(printed, mean, start) + reach < 0) return std::nullopt;
+  const double width = reach / static_cast<double>(last);
+  const Periods range{mean - width, mean + width};
+  const double inside = roomiest(printed, range, start);
+  if (!(room_of(printed, inside, start) >= 0)) return std::nullopt;
+  return Periods{border(printed, inside, range.least, start),
+                 border(printed, inside, range.greatest, start)};
+}
+
+/// The rate with the fewest decimals that fits; 0 if none does.
+double shortest_rate(const PrintedTimes& printed, double mean, Start start) {
+  const auto periods = fitting_periods(printed, mean, start);
+  if (!periods) return 0;
+  const double least = 1 / periods->greatest;
+  const double greatest = 1 / periods->least;
+  const double middle = 0.5 * (least + greatest);
+  for (double scale = 1; scale <= 1e9; scale *= 10) {
+    const double rate = std::round(middle * scale) / scale;
+    if (rate > 0 && rate >= least && rate <= greatest) return rate;
+  }
+  return middle;
 }
 
 /// Whether times have equal distances of one period, but for arithmetic.
@@ -126,9 +189,9 @@ std::optional<double> rate_of_times(std::span<const double> times,
   const Start start = times.front() == 0 ? Start::AtZero : Start::Anywhere;
   if (const double rate = usual_rate(printed, estimate, start); rate > 0) return rate;
   if (are_steady(times, period)) return near_whole(estimate);
-  if (const double rate = shortest_rate(printed, estimate, start); rate > 0) return rate;
   if (const double rate = usual_rate(printed, estimate, Start::Anywhere); rate > 0) return rate;
-  if (const double rate = shortest_rate(printed, estimate, Start::Anywhere); rate > 0) return rate;
+  if (const double rate = shortest_rate(printed, period, start); rate > 0) return rate;
+  if (const double rate = shortest_rate(printed, period, Start::Anywhere); rate > 0) return rate;
   if (const double rate = rate_of_coarse_times(times); rate > 0) return rate;
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinefile/kinematics.hpp"
 
@@ -126,6 +127,31 @@ std::vector<Translation> translations_of(const Joint& joint) {
     }
   }
   return translations;
+}
+
+double noise_of_place(const Joint& joint, double skeleton_size) {
+  constexpr double kNoise = 1e-3;
+  constexpr double kShortest = 1e-2;
+  return kNoise * std::max(rest_offset(joint).norm(), kShortest * skeleton_size);
+}
+
+std::optional<SettledNumber> settled_number(const Clip& clip, std::size_t column, double rest,
+                                            double noise) {
+  if (clip.num_frames == 0) return SettledNumber{rest, 0};
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const double number = clip.row(f)[column];
+    if (!std::isfinite(number)) return std::nullopt;
+    least = std::min(least, number);
+    greatest = std::max(greatest, number);
+  }
+  if (is_always(clip, column, clip.row(0)[column])) return SettledNumber{clip.row(0)[column], 0};
+  const double from_rest = std::max(greatest - rest, rest - least);
+  if (from_rest <= noise) return SettledNumber{rest, from_rest};
+  if (!(greatest - least <= noise)) return std::nullopt;
+  const double middle = least + 0.5 * (greatest - least);
+  return SettledNumber{middle, std::max(greatest - middle, middle - least)};
 }
 
 Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& translations,

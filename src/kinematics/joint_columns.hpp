@@ -49,6 +49,24 @@ struct Translation {
 /// The translations of a joint's origin: its own, or the first three columns of a free joint.
 std::vector<Translation> translations_of(const Joint& joint);
 
+/// How far a joint may be from its place in its parent's frame without moving: as far as exporters
+/// round. A thousandth of its bone, from the parent to the joint at rest; a bone shorter than a
+/// hundredth of the skeleton counts as one of that length.
+/// \param skeleton_size  see `rest_size`
+double noise_of_place(const Joint& joint, double skeleton_size);
+
+/// The number that a column would have without its noise.
+struct SettledNumber {
+  double number = 0;
+  double loss = 0;  ///< how far the column is from it at the most
+};
+
+/// The number of a column that stays but for noise: its only one, or the rest value if all are as
+/// near to that as noise, otherwise the middle if all are as near to each other. Nothing if the
+/// column changes more.
+std::optional<SettledNumber> settled_number(const Clip& clip, std::size_t column, double rest,
+                                            double noise);
+
 /// The position of a point after translations, for a joint's origin in its parent's frame.
 /// \param offset  the position without translations
 Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& translations,

@@ -88,6 +88,7 @@ Motion motion_of_component(const Component& component) {
   skeleton.angle_unit = AngleUnit::Radians;
   skeleton.metres_per_unit = 1;
   skeleton.up = 2;
+  skeleton.up = 2;
   for (std::size_t part = 0; part < component.num_parts; ++part) {
     skeleton.joints.emplace_back().name = part_name(component, part);
     if (component.kind == ComponentKind::Poses) {
@@ -103,14 +104,54 @@ Motion motion_of_component(const Component& component) {
   return motion;
 }
 
+bool is_in_world(const Component& component) {
+  const bool is_link = component.kind == ComponentKind::Poses && component.content == kLinkPosition;
+  const bool is_zmp = component.kind == ComponentKind::Vectors && component.content == kZmp;
+  return is_link || (is_zmp && !component.is_root_relative);
+}
+
+Motion side_by_side(std::span<const Component* const> components) {
+  Motion all;
+  if (components.empty()) return all;
+  all.skeleton.angle_unit = AngleUnit::Radians;
+  all.skeleton.metres_per_unit = 1;
+  all.skeleton.up = 2;
+  all.clip.timeline = components[0]->timeline;
+  all.clip.num_frames = components[0]->num_frames;
+  for (const Component* part : components) {
+    append_parts(motion_of_component(*part).skeleton, all.skeleton);
+  }
+  all.clip.num_coordinates = all.skeleton.coordinates.size();
+  all.clip.values.reserve(all.clip.num_frames * all.clip.num_coordinates);
+  for (std::size_t f = 0; f < all.clip.num_frames; ++f) {
+    for (const Component* part : components) all.clip.values.append(part->row(f));
+  }
+  return all;
+}
+
+void put_side_by_side(const Motion& motion, std::span<Component* const> components) {
+  std::size_t first_column = 0;
+  for (Component* part : components) {
+    const std::size_t width = part->row_size();
+    part->num_frames = motion.clip.num_frames;
+    part->timeline = motion.clip.timeline;
+    part->values = {};
+    part->values.reserve(part->num_frames * width);
+    for (std::size_t f = 0; f < part->num_frames; ++f) {
+      part->values.append(motion.clip.row(f).subspan(first_column, width));
+    }
+    first_column += width;
+  }
+}
+
 Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) {
   const Component* main = main_component(motion);
-  std::vector<Motion> parts;
+  std::vector<const Component*> parts;
   std::vector<std::string> left_out;
   for (const Component& component : motion.components) {
     const bool is_known = component.kind != ComponentKind::Other;
     if (is_known && component.num_frames == main->num_frames && are_together(component, *main)) {
-      parts.push_back(motion_of_component(component));
+      parts.push_back(&component);
     } else {
       left_out.push_back(component.content);
     }
@@ -122,22 +163,8 @@ Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) 
             "components of another length, at other times or of unknown type are left out: {}",
             listed(left_out)));
   }
-  Motion all;
-  if (parts.empty()) return all;
-  all.skeleton.angle_unit = AngleUnit::Radians;
-  all.skeleton.metres_per_unit = 1;
-  all.skeleton.up = 2;
-  all.clip.timeline = main->timeline;
-  all.clip.num_frames = main->num_frames;
-  for (const Motion& part : parts) append_parts(part.skeleton, all.skeleton);
-  all.clip.num_coordinates = all.skeleton.coordinates.size();
-  all.clip.values.reserve(all.clip.num_frames * all.clip.num_coordinates);
-  for (std::size_t f = 0; f < all.clip.num_frames; ++f) {
-    for (const Motion& part : parts) {
-      const auto row = part.clip.row(f);
-      all.clip.values.append(row);
-    }
-  }
+  Motion all = side_by_side(parts);
+  if (!parts.empty()) all.clip.timeline = main->timeline;
   return all;
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinefile/compare.hpp"
 #include "kinefile/joint_rotation.hpp"
+#include "kinefile/kinematics.hpp"
 #include "kinefile/shape.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
@@ -40,6 +42,7 @@ struct JointChange {
   std::vector<std::string> channels;
   std::vector<DegreeOfFreedom> dofs;  ///< their coordinates are indices of `columns`
   Vec3 offset = Vec3::Zero();
+  bool loses_noise = false;  ///< of positions
   bool has_new_angles = false;
   std::vector<DegreeOfFreedom> old_rotations;
   std::vector<Translation> old_translations;  ///< if there are new positions; the axes are in the
@@ -53,17 +56,10 @@ struct Context {
   Diagnostics& diagnostics;
   PositionChannels positions = PositionChannels::AsIs;
   bool adds_positions = false;
+  double size = 0;  ///< of the skeleton
   std::vector<std::vector<std::size_t>> columns_of_joint = {};
   std::vector<std::size_t> num_readers = {};  ///< of every column
 };
-
-/// The value of a column, bit for bit, if it is constant.
-std::optional<double> constant_of(const Clip& clip, std::size_t column, double rest) {
-  if (clip.num_frames == 0) return rest;
-  const double first = clip.row(0)[column];
-  return std::isfinite(first) && is_always(clip, column, first) ? std::optional(first)
-                                                                : std::nullopt;
-}
 
 void add_column(JointChange& change, ColumnSource column, std::string channel,
                 std::optional<DegreeOfFreedom> dof) {
@@ -86,25 +82,51 @@ Vec3 from_rest_frame(const Joint& joint, const Vec3& v) {
   return is_turned ? joint.rest_rotation * v : v;
 }
 
-/// Adds position channels to the offset, if they are constant.
+/// The error that a joint moves along one of its translations.
+Error position_loss(const Context& context, const Joint& joint, const DegreeOfFreedom& dof) {
+  double most = 0;
+  for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
+    most = std::fmax(most, std::abs(context.motion.clip.row(f)[dof.coordinate] - dof.rest));
+  }
+  return make_error(
+      ErrorKind::DataLoss, "EDT001",
+      fmt::format("joint '{}' moves along {} by up to {:.6g}, which is lost without "
+                  "its position channels",
+                  joint.name, context.motion.skeleton.coordinates[dof.coordinate].channel, most));
+}
+
+/// Adds position channels to the offset, if they are constant but for noise.
 Result<void> drop_positions(const Context& context, const Joint& joint, JointChange& change) {
+  const double noise = noise_of_place(joint, context.size);
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind != DofKind::Translation) continue;
-    auto constant = constant_of(context.motion.clip, dof.coordinate, dof.rest);
-    if (!constant) {
-      Error error = make_error(
-          ErrorKind::DataLoss, "EDT001",
-          fmt::format("joint '{}' moves along {}, which is lost without its position channels",
-                      joint.name, context.motion.skeleton.coordinates[dof.coordinate].channel));
+    auto settled = settled_number(context.motion.clip, dof.coordinate, dof.rest, noise);
+    if (!settled) {
+      Error error = position_loss(context, joint, dof);
       if (!context.options.lenient) return fail(std::move(error));
       error.severity = Severity::Warning;
       error.message += "; its rest position is taken";
       context.diagnostics.add(std::move(error));
-      constant = dof.rest;
+      settled = SettledNumber{dof.rest, 0};
     }
-    change.offset += from_rest_frame(joint, *constant * dof.axis);
+    change.loses_noise |= settled->loss > 0;
+    change.offset += from_rest_frame(joint, settled->number * dof.axis);
   }
   return {};
+}
+
+/// Reports what is lost with the noise of positions, if any is.
+void note_lost_noise(const Motion& motion, const std::vector<JointChange>& changes,
+                     const Motion& result, Diagnostics& diagnostics) {
+  const auto count = std::count_if(changes.begin(), changes.end(),
+                                   [](const JointChange& change) { return change.loses_noise; });
+  if (count == 0) return;
+  const LargestDifference most = compare_motions(motion, result).distance;
+  diagnostics.add(
+      Severity::Note, "EDT013",
+      fmt::format("the positions of {} joint{} that stay but for noise are lost: {:.2g} "
+                  "at the most, at '{}' in frame {}",
+                  count, count == 1 ? "" : "s", most.value, most.joint, most.frame));
 }
 
 /// Keeps the joint's position channels and adds the missing ones.
@@ -421,6 +443,7 @@ Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOption
       diagnostics,
       options.positions.value_or(options.usual_positions),
       !options.replaces_offsets && (options.adds_positions || adds_positions(motion.skeleton)),
+      rest_size(motion.skeleton),
       columns_of_joints(motion.skeleton),
       num_readers_of_columns(motion.skeleton)};
   Motion result;
@@ -461,6 +484,7 @@ Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOption
                        rotation::AngleFinder(changes[j].axes, is_in_degrees, Vec3::Zero())});
   }
   fill_columns(motion, fillers, result.clip.mutate());
+  note_lost_noise(motion, changes, result, diagnostics);
   return result;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -195,11 +196,86 @@ TEST(WithChannels, RootRefusesToLosePositionsThatMove) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
   EXPECT_EQ(refused.error().code, "EDT001");
-  EXPECT_EQ(refused.error().message,
-            "joint 'a' moves along Zposition, which is lost without its position channels");
+  EXPECT_EQ(
+      refused.error().message,
+      "joint 'a' moves along Zposition by up to 2, which is lost without its position channels");
   options.lenient = true;
   EXPECT_TRUE(shape::with_channels(mixed, options, diagnostics));
   EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT001"});
+}
+
+/// A leg of three joints with six channels each, whose positions are OFFSET but for some noise.
+Motion leg_with_noise(double thigh, double shin, double foot) {
+  const std::string channels =
+      "CHANNELS 6 Xposition Yposition Zposition Xrotation Yrotation Zrotation\n";
+  const auto row = [&](double side, double angle) {
+    return fmt::format("0 97 {} 0 0 0 {} -6 0 5 0 0 0 {} 0 {} 0 0 0 -46 {} 0 0 7\n", angle,
+                       9 + side * thigh, -44 - side * shin, angle, side * foot);
+  };
+  return test::motion_of(
+      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n" + channels + "JOINT Thigh\n{\nOFFSET 9 -6 0\n" +
+      channels + "JOINT Shin\n{\nOFFSET 0 -44 0\n" + channels + "JOINT Foot\n{\nOFFSET 0 -46 0\n" +
+      channels + "End Site\n{\nOFFSET 0 -4 12\n}\n}\n}\n}\n}\n" +
+      "MOTION\nFrames: 3\nFrame Time: 0.1\n" + row(0, 0) + row(1, 10) + row(-0.5, 30));
+}
+
+constexpr shape::ChannelOptions kRootAlone{.order = std::nullopt,
+                                           .positions = shape::PositionChannels::Root};
+
+TEST(WithChannels, RootLosesTheNoiseOfPositionsWithANote) {
+  for (const double noise : {1e-6, 7e-5, 1e-3, 0.009}) {
+    const Motion leg = leg_with_noise(noise, 2 * noise, noise);
+    Diagnostics diagnostics;
+    const auto root = shape::with_channels(leg, kRootAlone, diagnostics);
+    ASSERT_TRUE(root);
+    EXPECT_EQ(channels_of(*root, 2), "Xrotation Yrotation Zrotation ");
+    EXPECT_EQ(root->skeleton.joints[2].offset, Vec3(0, -44, 0)) << "OFFSET keeps its bits";
+    // The losses of three joints add up; the foot is where the sum is.
+    const LargestDifference most = compare_motions(leg, *root).distance;
+    EXPECT_EQ(most.joint, "Foot");
+    EXPECT_GT(most.value, 2.2 * noise);
+    EXPECT_LT(most.value, 4 * noise);
+    EXPECT_EQ(test::text_of(diagnostics),
+              fmt::format("note[EDT013]: the positions of 3 joints that stay but for noise are "
+                          "lost: {:.2g} at the most, at 'Foot' in frame 1\n",
+                          most.value));
+  }
+}
+
+TEST(WithChannels, RootRefusesMoreThanAThousandthOfABone) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(shape::with_channels(leg_with_noise(0, 0.0439, 0), kRootAlone, diagnostics));
+  const auto refused = shape::with_channels(leg_with_noise(0, 0.0441, 0), kRootAlone, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(
+      refused.error().message,
+      "joint 'Shin' moves along Yposition by up to 0.0441, which is lost without its position "
+      "channels");
+}
+
+TEST(WithChannels, ABoneOfNoLengthIsMeasuredByTheSkeleton) {
+  // The box of the leg at rest is some 100 units large.
+  const auto moved = [](double noise) {
+    Motion leg = leg_with_noise(0, noise, 0);
+    leg.skeleton.joints[2].dofs[1].rest = 0;
+    for (std::size_t f = 0; f < leg.clip.num_frames; ++f) leg.clip.mutate()[f][13] += 44;
+    Diagnostics diagnostics;
+    return shape::with_channels(leg, kRootAlone, diagnostics).has_value();
+  };
+  EXPECT_TRUE(moved(1e-4));
+  EXPECT_FALSE(moved(0.01));
+}
+
+TEST(WithChannels, PositionsThatWaverElsewhereThanOffsetStayThere) {
+  Motion leg = leg_with_noise(0, 1e-6, 0);
+  for (std::size_t f = 0; f < leg.clip.num_frames; ++f) leg.clip.mutate()[f][13] -= 3;
+  Diagnostics diagnostics;
+  const auto root = shape::with_channels(leg, kRootAlone, diagnostics);
+  ASSERT_TRUE(root);
+  EXPECT_NEAR(root->skeleton.joints[2].offset.y(), -47, 1e-6);
+  EXPECT_LT(distance(leg, *root), 1e-6);
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT013"});
 }
 
 TEST(WithChannels, PositionsThatAreAddedStayAdded) {

@@ -66,6 +66,16 @@ TEST(WithJoints, WarnsOfAChildThatMoved) {
   EXPECT_EQ(part->skeleton.joints[0].tips[0].offset, Vec3(1, 2, 3));
 }
 
+TEST(WithJoints, NotesAChildThatWavered) {
+  const Motion slide = test::motion_of(std::string(kSlide) + "1\n1.001\n");
+  Diagnostics diagnostics;
+  const std::vector<std::string> names = {"r"};
+  const auto part = edit::joints(slide, names, diagnostics);
+  EXPECT_EQ(test::text_of(diagnostics),
+            "note[EDT013]: joint 'a' stays on 'r' but for noise of 0.001, which is lost\n");
+  EXPECT_EQ(part->skeleton.joints[0].tips[0].offset, Vec3(1, 2, 3));
+}
+
 TEST(WithJoints, KeepsAColumnThatAJointReadsWhichStays) {
   Motion motion = examples::make_walk({.num_frames = 3});
   motion.skeleton.joints[1].dofs = {{DofKind::Rotation, Vec3::UnitX(), 20, 0}};

@@ -132,6 +132,13 @@ TEST(Csv, OtherRatesAreFoundInRoundedTimes) {
     }
   }
   EXPECT_EQ(rate_of(30 / 1.001, 4), 30.0 * 1000 / 1001);
+  for (const double rate : {239.76, 119.876, 17.53, 240 / 1.001}) {
+    for (const double start : {0.0, 3.21}) {
+      const auto read = read_csv(printed_table(rate, 4, 3000, start));
+      EXPECT_NEAR(frame_rate(components_of(read)[0].timeline), rate, 1e-5 * rate) << start;
+      EXPECT_FALSE(has_own_times(components_of(read)[0].timeline)) << rate << " from " << start;
+    }
+  }
   // Cut off, not rounded.
   const auto read = read_csv("time,A\n0.000,1\n0.016,1\n0.033,1\n0.050,1\n0.066,1\n0.083,1\n");
   EXPECT_EQ(frame_rate(components_of(read)[0].timeline), 60);

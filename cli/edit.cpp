@@ -40,13 +40,11 @@ Result<void> apply_all(const std::vector<Operation>& operations, Document& docum
 int run(Edit& edit, const Globals& globals) {
   const auto operations = parse_operations(edit.words);
   if (!operations) return usage_error(globals, operations.error().message);
-  if (edit.writing.out != "-" && output_format(edit.writing) == nullptr) {
-    return no_output_format(edit.writing, globals);
-  }
   int exit_code = kDone;
   auto document = load(edit.file, edit.reading, globals, exit_code);
   if (!document) return exit_code;
-  const Format* format = output_format(edit.writing, *document);
+  const Format* format = output_format(edit.writing, edit.file, *document);
+  if (format == nullptr) return no_output_format(edit.writing, globals);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = edit.reading.is_strict;
   auto applied = apply_all(*operations, *document, edit.reading, diagnostics);

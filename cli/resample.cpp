@@ -18,7 +18,7 @@ int run(const Resample& resample, const Globals& globals) {
   auto document = load_motion(resample.file, resample.retiming.reading, globals, exit_code);
   if (!document) return exit_code;
   const Retiming& retiming = resample.retiming;
-  const Format* format = output_format(retiming.writing, *document);
+  const Format* format = output_format(retiming.writing, resample.file, *document);
   if (format == nullptr) return no_output_format(retiming.writing, globals);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = retiming.reading.is_strict;

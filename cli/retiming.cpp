@@ -71,7 +71,7 @@ std::optional<Document> load_motion(const std::string& path, const Reading& read
 
 int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std::string& path,
                     const Retiming& retiming, Diagnostics& diagnostics, const Globals& globals) {
-  const Format* format = output_format(retiming.writing, document);
+  const Format* format = output_format(retiming.writing, path, document);
   if (format == nullptr) return no_output_format(retiming.writing, globals);
   if (map && retiming.prints_table) {
     if (finish_reading(retiming.reading, globals, kDone) != kDone) return kUsage;

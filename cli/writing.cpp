@@ -79,9 +79,11 @@ int no_output_format(const Writing& writing, const Globals& globals) {
                      fmt::format("'{}' shows no format by its name; --to names it", writing.out));
 }
 
-const Format* output_format(const Writing& writing, const Document& input) {
-  if (writing.out == "-" && writing.to.empty()) return find_format(input.format);
-  return output_format(writing);
+const Format* output_format(const Writing& writing, const std::string& source,
+                            const Document& input) {
+  if (!writing.to.empty()) return find_format(writing.to);
+  const Format* const own = find_format(input.format);
+  return writing.out == "-" ? own : format_of_output(writing.out, source, own);
 }
 
 namespace {

@@ -27,7 +27,7 @@ void add_writing_options(CLI::App& command, Writing& writing);
 /// writing, which then apply to both. Call it before the options of writing and reading are added.
 void add_adapting_options(CLI::App& command, Writing& writing, Reading& reading);
 
-/// The format that the options ask for, or null.
+/// The format that the options and the output's name alone ask for, or null.
 const Format* output_format(const Writing& writing);
 
 /// The first of all formats that is as wanted, or null.
@@ -37,9 +37,12 @@ const Format* first_format(bool (*is_wanted)(const Format&));
 /// \returns kUsage
 int no_output_format(const Writing& writing, const Globals& globals);
 
-/// The format of an optional output: if it is omitted, the output is standard output in the format
-/// of the input. Null if the format is unknown.
-const Format* output_format(const Writing& writing, const Document& input);
+/// The format of the output of a document: the one that the options ask for; otherwise the input's
+/// own on standard output and under a name with the input's extension (see `format_of_output`);
+/// otherwise the one of the output's name. Null if the format is unknown.
+/// \param source  the name of the input
+const Format* output_format(const Writing& writing, const std::string& source,
+                            const Document& input);
 
 /// Ends a command that makes a document from a file: converts it for the format and writes it,
 /// unless making it failed, and reports all diagnostics on stderr.

@@ -215,6 +215,13 @@ const Format* detect_format(std::string_view head, std::string_view file_name);
 const ForeignFormat* find_foreign(std::string_view head, std::string_view file_name,
                                   const Format* detected);
 
+/// The format in which a document is written under a name: that of the file that it was read from,
+/// if both names have the same extension and the format is written; otherwise the one of the name's
+/// extension, or null. So a BVH file that is called .txt stays one.
+/// \param input  the format of the file with the name `input_name`; null: not known
+const Format* format_of_output(std::string_view file_name, std::string_view input_name,
+                               const Format* input);
+
 /// The format of a file name's extension, or null.
 const Format* format_of_name(std::string_view file_name);
 

@@ -57,7 +57,7 @@ struct Job {
   std::vector<Operation> operations = {};
   OperationContext context = {};
   std::string target;          ///< the output's name; its companions are named after it
-  const Format* to = nullptr;  ///< null: detected from the target's name
+  const Format* to = nullptr;  ///< null: see `format_of_output`
   AdaptOptions adapting = {};
   WriteOptions writing = {};
 };

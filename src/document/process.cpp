@@ -88,7 +88,9 @@ Report process(const Job& job, const OutputFiles& files) {
                 : read_file(job.source, job.from, job.reading, report.diagnostics);
   if (!document) return ended(document.error());
   report.kind = kind_name(*document);
-  const Format* format = job.to != nullptr ? job.to : format_of_name(job.target);
+  const Format* format =
+      job.to != nullptr ? job.to
+                        : format_of_output(job.target, job.source, find_format(document->format));
   if (format == nullptr) {
     return ended(make_error(ErrorKind::Usage, "CLI001",
                             fmt::format("'{}' shows no format by its name", job.target)));

@@ -20,6 +20,13 @@ namespace kinefile {
 
 namespace {
 
+/// The extension of a file name, with the dot, in lower case; empty if it has none.
+std::string extension_of(std::string_view name) {
+  const std::string_view file = name.substr(name.find_last_of("/\\") + 1);
+  const std::size_t dot = file.rfind('.');
+  return dot == std::string_view::npos || dot == 0 ? std::string() : lowered(file.substr(dot));
+}
+
 std::vector<Format> all_formats() {
   std::vector<Format> all = {
       bvh::format(),     acclaim::asf_format(), acclaim::amc_format(), choreonoid::format(),
@@ -78,6 +85,13 @@ const ForeignFormat* find_foreign(std::string_view head, std::string_view file_n
     }
   }
   return detected == nullptr ? by_name : nullptr;
+}
+
+const Format* format_of_output(std::string_view file_name, std::string_view input_name,
+                               const Format* input) {
+  const std::string extension = extension_of(file_name);
+  const bool is_same = !extension.empty() && extension == extension_of(input_name);
+  return is_same && input != nullptr && is_written(*input) ? input : format_of_name(file_name);
 }
 
 const Format* detect_format(std::string_view head, std::string_view file_name) {

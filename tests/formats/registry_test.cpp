@@ -31,6 +31,23 @@ TEST(Registry, FindsFormats) {
   EXPECT_EQ(detect_format("what", "x"), nullptr);
 }
 
+TEST(Registry, AnOutputOfTheInputsExtensionHasItsFormat) {
+  const Format* bvh = find_format("bvh");
+  const auto name_of = [](const Format* format) {
+    return format == nullptr ? std::string_view("none") : format->name;
+  };
+  EXPECT_EQ(name_of(format_of_output("out.txt", "in.txt", bvh)), "bvh");
+  EXPECT_EQ(name_of(format_of_output("a.b/out.TXT", "c/in.txt", bvh)), "bvh");
+  EXPECT_EQ(name_of(format_of_output("out.dat", "in.dat", bvh)), "bvh");
+  EXPECT_EQ(name_of(format_of_output("out.csv", "in.txt", bvh)), "csv");
+  EXPECT_EQ(name_of(format_of_output("out.txt", "in.bvh", bvh)), "robovie");
+  EXPECT_EQ(name_of(format_of_output("out.txt", "in.txt", nullptr)), "robovie");
+  EXPECT_EQ(name_of(format_of_output("out.yaml", "in.yaml", find_format("body"))), "choreonoid")
+      << "which is only read";
+  EXPECT_EQ(name_of(format_of_output("out", "in", bvh)), "none");
+  EXPECT_EQ(name_of(format_of_output("a.txt/out", "in.txt", bvh)), "none");
+}
+
 /// The extension of the foreign format that a file is of; empty if it is of none.
 std::string_view foreign_of(std::string_view head, std::string_view name) {
   const ForeignFormat* foreign = find_foreign(head, name, detect_format(head, name));

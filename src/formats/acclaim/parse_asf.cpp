@@ -54,8 +54,14 @@ bool parse_axis_order(Parser& parser, AxisOrder& order) {
 }
 
 bool parse_orientation(Parser& parser, Orientation& orientation, bool has_order) {
-  return parse_numbers(parser, "3 angles", orientation.angles.data(), 3) &&
-         (!has_order || parse_axis_order(parser, orientation.order));
+  if (!parse_numbers(parser, "3 angles", orientation.angles.data(), 3)) return false;
+  if (!has_order) return true;
+  const std::string_view token = parser.lexer.peek_in_line();
+  if (!token.empty()) return parse_axis_order(parser, orientation.order);
+  parser.warn(code::kBadAxisOrder,
+              "expected an order of the axes such as XYZ, found the end of the line; read as XYZ",
+              token.data());
+  return true;
 }
 
 std::vector<DofWord> parse_dofs(Parser& parser) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 #include <utility>
@@ -26,7 +27,8 @@ struct OpenBlock {
   bool is_end_site = false;
   bool has_offset = false;
   bool has_channels = false;
-  const char* at = nullptr;  ///< where it was named
+  const char* at = nullptr;     ///< where it was named
+  std::size_t indentation = 0;  ///< of its keyword
 };
 
 struct Hierarchy {
@@ -35,6 +37,9 @@ struct Hierarchy {
   std::vector<const char*> name_places;
   std::size_t num_structure_errors = 0;
   bool is_cut_off = false;  ///< the file ended too early, which was reported
+  /// How many joints are indented further than their parents, and how many are not.
+  std::size_t num_indented = 0;
+  std::size_t num_not_indented = 0;
 
   File& file() { return parser.file; }
   text::Scanner& scanner() { return parser.scanner; }
@@ -58,25 +63,43 @@ void report_structure(Hierarchy& h, std::string_view expected, std::string_view 
   ++h.num_structure_errors;
 }
 
+/// Reports a joint without a name, and makes one.
+/// \param next  the brace in its place
+std::string_view make_node_name(Hierarchy& h, std::string_view keyword, std::string_view next) {
+  std::string name = fmt::format("joint{}", h.file().nodes.size());
+  const std::string remedy = fmt::format("it is called '{}'", name);
+  h.parser.repair(code::kNoName,
+                  fmt::format("expected a name after {}, found {}", keyword, quoted(next)), remedy,
+                  next.data(), "gives it one");
+  return h.file().made_names.emplace_back(std::move(name));
+}
+
 /// Consumes the name after ROOT or JOINT; it may contain blanks, and may be on the next line.
-std::string_view take_node_name(Hierarchy& h, std::string_view keyword) {
+/// \param at  out: its place
+std::string_view take_node_name(Hierarchy& h, std::string_view keyword, const char*& at) {
   std::string_view name = h.scanner().take_name();
   if (name.empty()) {
     while (skip_comment(h.parser)) continue;
     const std::string_view next = h.scanner().peek();
+    at = next.data();
     if (next.empty()) {
       report_structure(h, fmt::format("a name after {}", keyword), next);
       return next;
     }
-    if (next == "{" || next == "}") {
-      h.parser.report(Severity::Error, code::kNoName,
-                      fmt::format("expected a name after {}, found {}", keyword, quoted(next)),
-                      next.data());
-      return next.substr(0, 0);
-    }
+    if (next == "{" || next == "}") return make_node_name(h, keyword, next);
     name = h.scanner().take_name();
   }
+  at = name.data();
   return name;
+}
+
+/// The number of characters before a word in its line, or a limit: a whole file may be one line.
+std::size_t indentation_of(const Hierarchy& h, const char* word) {
+  constexpr std::ptrdiff_t kMost = 1000;
+  const char* const begin = h.parser.source.text().data();
+  const char* p = word;
+  while (p != begin && word - p < kMost && !text::is_line_end(p[-1])) --p;
+  return static_cast<std::size_t>(word - p);
 }
 
 void take_open_brace(Hierarchy& h) {
@@ -89,12 +112,18 @@ void take_open_brace(Hierarchy& h) {
   }
 }
 
-void open_node(Hierarchy& h, std::string_view keyword, std::size_t parent) {
+/// \param word  the keyword in the text
+void open_node(Hierarchy& h, std::string_view keyword, std::string_view word, std::size_t parent) {
   Node node;
-  node.name = take_node_name(h, keyword);
+  const std::size_t indentation = indentation_of(h, word.data());
+  if (!h.open.empty()) {
+    ++(indentation > h.open.back().indentation ? h.num_indented : h.num_not_indented);
+  }
+  const char* at = nullptr;
+  node.name = take_node_name(h, keyword, at);
   node.parent = parent;
-  h.open.push_back({h.file().nodes.size(), false, false, false, node.name.data()});
-  h.name_places.push_back(node.name.data());
+  h.open.push_back({h.file().nodes.size(), false, false, false, at, indentation});
+  h.name_places.push_back(at);
   h.file().nodes.push_back(std::move(node));
   take_open_brace(h);
 }
@@ -110,7 +139,7 @@ void open_end_site(Hierarchy& h, std::string_view word) {
     if (site.empty()) return;
   }
   h.scanner().move_to(site.data() + std::min(site.size(), kSiteLength));
-  h.open.push_back({node, true, false, true, word.data()});
+  h.open.push_back({node, true, false, true, word.data(), 0});
   h.file().nodes[node].end_sites.push_back({h.scanner().take_name(), {}});
   take_open_brace(h);
 }
@@ -165,7 +194,24 @@ void take_channel_words(Hierarchy& h, Node& node, std::size_t claim) {
   }
 }
 
+/// Whether this is CHANNELS 0 in an End Site, which `--lenient` passes over.
+bool pass_over_no_channels(Hierarchy& h, std::string_view keyword) {
+  if (!h.open.back().is_end_site) return false;
+  const std::string_view count = h.scanner().peek();
+  if (text::parse_count(count) != 0) return false;
+  h.scanner().take();
+  const std::string_view next = h.scanner().peek();
+  if (channel_of_word(next).kind != ChannelKind::Unknown) {
+    h.scanner().move_to(count.data());
+    return false;
+  }
+  h.parser.repair(code::kGivenTwice, "expected no CHANNELS in an End Site, found CHANNELS 0",
+                  "it is passed over", keyword.data(), "passes over it");
+  return true;
+}
+
 void parse_channels(Hierarchy& h, std::string_view keyword) {
+  if (pass_over_no_channels(h, keyword)) return;
   OpenBlock& block = h.open.back();
   Node& node = h.file().nodes[block.node];
   if (block.has_channels) {
@@ -228,6 +274,39 @@ void skip_wrong_word(Hierarchy& h, std::string_view expected, std::string_view w
   if (word != "{") h.scanner().take_name();
 }
 
+/// Whether a missing brace may be one in the middle, so that later joints have wrong parents: a
+/// joint has an End Site and then a joint, or is not indented further than its parent where others
+/// are.
+bool may_lack_inner_brace(const Hierarchy& h) {
+  if (h.num_indented > 0 && h.num_not_indented > 0) return true;
+  const std::vector<Node>& nodes = h.parser.file.nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&nodes](const Node& node) {
+    return node.parent != kNoParent && !nodes[node.parent].end_sites.empty();
+  });
+}
+
+/// At the end of the hierarchy: closes the blocks that are open, which `--lenient` allows. Returns
+/// whether that is possible.
+bool close_open_blocks(Hierarchy& h, std::string_view word) {
+  const bool has_end_without_offset = h.open.back().is_end_site && !h.open.back().has_offset;
+  if (word.empty() || has_end_without_offset || may_lack_inner_brace(h)) return false;
+  while (!h.open.empty()) {
+    const OpenBlock& block = h.open.back();
+    const std::string_view name = h.file().nodes[block.node].name;
+    const bool is_closed = h.parser.repair(
+        code::kUnexpectedWord,
+        fmt::format("expected '}}' to close {}'{}', found {}",
+                    block.is_end_site ? "the End Site of " : "", name, quoted(word)),
+        "it is closed here", word.data(), "closes it");
+    if (!is_closed) {
+      h.parser.is_structure_sound = false;
+      return true;
+    }
+    close_block(h);
+  }
+  return true;
+}
+
 /// A word inside a ROOT or JOINT. Returns false at the end of the hierarchy.
 bool parse_in_node(Hierarchy& h, std::string_view word) {
   const std::size_t node = h.open.back().node;
@@ -236,19 +315,21 @@ bool parse_in_node(Hierarchy& h, std::string_view word) {
   } else if (equals_ignoring_case(word, "CHANNELS")) {
     parse_channels(h, word);
   } else if (equals_ignoring_case(word, "JOINT")) {
-    open_node(h, "JOINT", node);
+    open_node(h, "JOINT", word, node);
   } else if (is_end_site_word(word)) {
     open_end_site(h, word);
   } else if (word == "}") {
     close_block(h);
   } else if (is_motion_word(word) || word.empty()) {
     const Node& open = h.file().nodes[node];
-    report_structure(h, fmt::format("'}}' to close '{}'", open.name), word);
+    if (!close_open_blocks(h, word)) {
+      report_structure(h, fmt::format("'}}' to close '{}'", open.name), word);
+    }
     h.scanner().move_to(word.data());
     return false;
   } else if (equals_ignoring_case(word, "ROOT")) {
     report_structure(h, "JOINT within a joint", word);
-    open_node(h, "ROOT", node);
+    open_node(h, "ROOT", word, node);
   } else {
     skip_wrong_word(h, "OFFSET, CHANNELS, JOINT, End Site or '}'", word);
   }
@@ -264,7 +345,9 @@ bool parse_in_end_site(Hierarchy& h, std::string_view word) {
   } else if (word == "}") {
     close_block(h);
   } else if (is_motion_word(word) || word.empty()) {
-    report_structure(h, "OFFSET or '}' in an End Site", word);
+    if (!close_open_blocks(h, word)) {
+      report_structure(h, "OFFSET or '}' in an End Site", word);
+    }
     h.scanner().move_to(word.data());
     return false;
   } else {
@@ -276,10 +359,10 @@ bool parse_in_end_site(Hierarchy& h, std::string_view word) {
 /// A word outside of all braces. Returns false at the end of the hierarchy.
 bool parse_at_top(Hierarchy& h, std::string_view word) {
   if (equals_ignoring_case(word, "ROOT")) {
-    open_node(h, "ROOT", kNoParent);
+    open_node(h, "ROOT", word, kNoParent);
   } else if (equals_ignoring_case(word, "JOINT")) {
     report_structure(h, "ROOT or MOTION", word);
-    open_node(h, "JOINT", kNoParent);
+    open_node(h, "JOINT", word, kNoParent);
   } else if (word == "}") {
     h.parser.report(Severity::Warning, code::kExtraBrace,
                     "expected ROOT or MOTION, found another '}'; it is passed over", word.data());

@@ -34,8 +34,11 @@ struct Parser {
   }
   /// Reports a fault that `--lenient` repairs: an error, or a warning that describes the repair.
   /// Returns whether it is repaired.
-  bool repair(const char* code, std::string message, const std::string& remedy, const char* at) {
+  /// \param hint  what `--lenient` would do, for the error; empty: it is not named
+  bool repair(const char* code, std::string message, const std::string& remedy, const char* at,
+              const std::string& hint = {}) {
     if (options.lenient) message += "; " + remedy;
+    if (!options.lenient && !hint.empty()) message += "; --lenient " + hint;
     report(options.lenient ? Severity::Warning : Severity::Error, code, std::move(message), at);
     return options.lenient;
   }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +44,8 @@ struct Node {
 /// The content of a BVH file. Views point into the text that was parsed, or into the skeleton that
 /// was unbound.
 struct File {
-  std::vector<Node> nodes;  ///< depth first, as in the file
+  std::vector<Node> nodes;             ///< depth first, as in the file
+  std::deque<std::string> made_names;  ///< of nodes without a name, which are views of these
   bool has_motion = false;
   double frame_time = 0;
   std::size_t num_frames = 0;  ///< the rows that exist; the count in the file is not trusted

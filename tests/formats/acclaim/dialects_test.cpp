@@ -2,6 +2,7 @@
 // Every way in which real files differ, and those that no public file shows: each with the numbers
 // that must come out, derived beside it.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,25 @@ Placed place(const Motion& motion, std::size_t frame = 0) {
 void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e-12) {
   EXPECT_LE((actual - expected).norm(), tolerance)
       << actual.transpose() << " against " << expected.transpose();
+}
+
+TEST(AcclaimDialects, AnAxisWithoutItsOrderIsReadAsXyz) {
+  const auto rest = [](const std::string& axis) {
+    const ReadText read = read_acclaim("asf", asf_with(axis + "dof rx ry rz\n"));
+    EXPECT_TRUE(read.document) << text_of(read.diagnostics);
+    const Joint& bone = skeleton_of(*read.document).joints.at(1);
+    return std::pair(codes_of(read.diagnostics), bone.dofs.at(0).axis);
+  };
+  const auto [no_codes, ordered] = rest("axis 10 20 30 XYZ\n");
+  for (const char* axis :
+       {"axis 10 20 30\n", "axis 10 20 30  # degrees\n", "axis (10, 20, 30)\n"}) {
+    const auto [codes, axis_of_first] = rest(axis);
+    EXPECT_EQ(codes.size(), no_codes.size() + 1) << axis;
+    EXPECT_NE(std::find(codes.begin(), codes.end(), "ASF010"), codes.end()) << axis;
+    EXPECT_EQ(axis_of_first, ordered) << axis;
+  }
+  // Another word in its place is a fault, and so is a root without an order.
+  EXPECT_FALSE(read_acclaim("asf", asf_with("axis 10 20 30 XY\n")).document);
 }
 
 TEST(AcclaimDialects, AnglesTurnAboutTheAxesOfTheBone) {

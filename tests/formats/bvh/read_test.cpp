@@ -42,6 +42,84 @@ TEST(BvhRead, KeepsEveryNumberInPlace) {
   EXPECT_EQ(motion.skeleton.coordinates[3].channel, "Zrotation");
 }
 
+TEST(BvhRead, LenientGivesAJointWithoutANameOne) {
+  for (const char* nameless : {"JOINT", "JOINT ", "JOINT\n\n"}) {
+    ReadText read;
+    const Motion& motion = expect_repaired(read, replaced(kGood, "JOINT A", nameless), "BVH004");
+    EXPECT_EQ(motion.skeleton.joints[1].name, "joint1") << nameless;
+    EXPECT_EQ(motion.clip.values, motion_of(kGood).clip.values);
+    EXPECT_NE(write_to_string(*read.document).find("JOINT joint1\n"), std::string::npos);
+  }
+  ReadText read;
+  EXPECT_EQ(
+      expect_repaired(read, replaced(kGood, "ROOT Hips", "ROOT"), "BVH004").skeleton.joints[0].name,
+      "joint0");
+  EXPECT_FALSE(read_bvh(replaced(kGood, "JOINT A\n", "JOINT }\n"), lenient()).document);
+}
+
+TEST(BvhRead, LenientPassesOverChannels0InAnEndSite) {
+  ReadText read;
+  const std::string site = "OFFSET 0 4 0";
+  for (const std::string& both : {"CHANNELS 0\n" + site, site + "\nCHANNELS 0"}) {
+    const Motion& motion = expect_repaired(read, replaced(kGood, site, both), "BVH007");
+    EXPECT_EQ(motion.clip.values, motion_of(kGood).clip.values);
+    EXPECT_EQ(motion.skeleton.joints[1].tips[0].offset, Vec3(0, 4, 0));
+  }
+  // Channels of an End Site would have columns.
+  for (const char* channels : {"CHANNELS 1 Xrotation", "CHANNELS 0 Xrotation", "CHANNELS"}) {
+    EXPECT_FALSE(read_bvh(replaced(kGood, site, site + "\n" + channels), lenient()).document)
+        << channels;
+  }
+}
+
+/// `kGood` with some of the braces right before MOTION.
+std::string with_last_braces(const std::string& braces) {
+  const std::size_t motion = kGood.find("MOTION");
+  const std::size_t last = kGood.find_last_not_of(" }\n", motion - 1) + 1;
+  return kGood.substr(0, last) + "\n" + braces + kGood.substr(motion);
+}
+
+TEST(BvhRead, LenientClosesWhatIsOpenAtTheEndOfTheHierarchy) {
+  ReadText read;
+  EXPECT_EQ(motion_of(with_last_braces("}\n}\n}\n")).clip.num_frames, 2u);
+  const Motion& motion = expect_repaired(read, with_last_braces("}\n}\n"), "BVH003");
+  EXPECT_EQ(motion.clip.values, motion_of(kGood).clip.values);
+  EXPECT_EQ(text_of(read_bvh(with_last_braces("}\n}\n")).diagnostics),
+            "t.bvh:15:1: error[BVH003]: expected '}' to close 'Hips', found 'MOTION'; --lenient "
+            "closes it\n  MOTION\n  ^\n")
+      << "tells what helps";
+  // Every missing brace is a warning of its own, also those of End Sites.
+  for (const auto& [braces, count] : {std::pair("}\n", 2u), std::pair("", 3u)}) {
+    const ReadText all = read_bvh(with_last_braces(braces), lenient());
+    EXPECT_EQ(codes_of(all.diagnostics), std::vector<std::string>(count, "BVH003"));
+    EXPECT_EQ(all.motion().clip.values, motion_of(kGood).clip.values);
+    EXPECT_FALSE(read_bvh(with_last_braces(braces)).document);
+  }
+  // MOTION may be missing, too; the end of the file is another thing.
+  EXPECT_TRUE(read_bvh(replaced(with_last_braces("}\n}\n"), "MOTION\n", ""), lenient()).document);
+  const std::string cut = with_last_braces("}\n}\n");
+  EXPECT_FALSE(read_bvh(cut.substr(0, cut.find("MOTION")), lenient()).document);
+}
+
+TEST(BvhRead, ABraceThatMayBeMissingFurtherUpIsNotMadeUp) {
+  // Without the brace that closes Left, Right would hang on it.
+  const auto two_legs = [](const std::string& after_left, const std::string& indentation) {
+    return "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 1 Xrotation\n" + indentation +
+           "JOINT Left\n{\nOFFSET 1 0 0\nCHANNELS 1 Xrotation\n" + after_left + indentation +
+           "JOINT Right\n{\nOFFSET -1 0 0\nCHANNELS 1 Xrotation\nEnd Site\n{\nOFFSET 0 -1 0\n}\n"
+           "}\n}\nMOTION\nFrames: 1\nFrame Time: 1\n1 2 3\n";
+  };
+  const std::string site = "End Site\n{\nOFFSET 0 -1 0\n}\n";
+  EXPECT_TRUE(read_bvh(two_legs(site + "}\n", " ")).document);
+  EXPECT_FALSE(read_bvh(two_legs(site, " "), lenient()).document) << "an End Site, then a joint";
+  const std::string shank = "  JOINT Shank\n{\nOFFSET 0 -1 0\nCHANNELS 1 Xrotation\n}\n";
+  const std::string rows = "1 2 3\n";
+  const std::string whole = replaced(two_legs(shank + "}\n", " "), rows, "1 2 3 4\n");
+  EXPECT_TRUE(read_bvh(whole).document);
+  const std::string lacking = replaced(two_legs(shank, " "), rows, "1 2 3 4\n");
+  EXPECT_FALSE(read_bvh(lacking, lenient()).document) << "Right is indented like Left";
+}
+
 TEST(BvhRead, PositionsReplaceOrAddOrDecide) {
   std::string text = replaced(kGood, "OFFSET 0 0 0", "OFFSET 5 100 -7");
   text = replaced(replaced(text, "\n1 2 3", "\n1 -98 3"), "\n2 3 4", "\n2 -97 4");

@@ -41,9 +41,9 @@ std::vector<LimbPair> limb_pairs(const Skeleton& skeleton) {
 }  // namespace
 
 Facing find_facing(const Motion& motion, std::size_t up, std::size_t frame) {
-  if (motion.skeleton.joints.empty()) return {std::nullopt, "there are no joints"};
+  if (motion.skeleton.joints.empty()) return {std::nullopt, "nothing is there"};
   const auto limbs = limb_pairs(motion.skeleton);
-  if (limbs.empty()) return {std::nullopt, "no names of joints tell left from right"};
+  if (limbs.empty()) return {std::nullopt, "no names tell left from right"};
   const Clip rest = rest_clip(motion.skeleton);
   const bool has_frame = frame < motion.clip.num_frames;
   const WorldPoses poses =

@@ -88,7 +88,6 @@ Motion motion_of_component(const Component& component) {
   skeleton.angle_unit = AngleUnit::Radians;
   skeleton.metres_per_unit = 1;
   skeleton.up = 2;
-  skeleton.up = 2;
   for (std::size_t part = 0; part < component.num_parts; ++part) {
     skeleton.joints.emplace_back().name = part_name(component, part);
     if (component.kind == ComponentKind::Poses) {

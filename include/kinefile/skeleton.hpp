@@ -170,6 +170,12 @@ std::vector<FollowingColumn> following_columns(const Skeleton& skeleton);
 /// shape (joints).
 std::vector<std::optional<std::size_t>> value_columns(const Skeleton& skeleton);
 
+/// The names of a robot's columns after those of its root: each has the name of its joint (of the
+/// first one, if several read it); a joint id without a joint has a name that no joint has, such as
+/// "joint3" for id 3. Files of joint values are written with these names and read by them.
+/// Precondition: the root has `kRootColumns` columns.
+std::vector<std::string> names_of_value_columns(const Skeleton& robot);
+
 /// The columns of every joint, in order; shape (joints).
 std::vector<std::vector<std::size_t>> columns_of_joints(const Skeleton& skeleton);
 

@@ -173,15 +173,8 @@ BodyMotion with_names_of(BodyMotion body, const Skeleton& robot) {
     const bool has_ids = component.content == kJointDisplacement && robot::is_robot(robot) &&
                          component.num_parts + kRootColumns <= robot.coordinates.size();
     if (!has_ids) continue;
-    names.clear();
-    for (std::size_t id = 0; id < component.num_parts; ++id) {
-      names.push_back(fmt::format("joint{}", id));
-    }
-    const auto columns = value_columns(robot);
-    for (std::size_t j = columns.size(); j-- > 0;) {  // among joints with the same id, the first
-      const bool is_there = columns[j] && *columns[j] < kRootColumns + component.num_parts;
-      if (is_there) names[*columns[j] - kRootColumns] = robot.joints[j].name;
-    }
+    names = names_of_value_columns(robot);
+    names.resize(component.num_parts);
   }
   return body;
 }

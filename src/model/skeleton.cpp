@@ -264,6 +264,34 @@ std::vector<std::optional<std::size_t>> value_columns(const Skeleton& skeleton) 
   return columns;
 }
 
+namespace {
+
+/// A name for a joint id that no joint has. Links may be called joint1, joint2, ..., too.
+std::string name_of_id(std::size_t id, const Skeleton& robot) {
+  std::string name = "joint" + std::to_string(id);
+  const auto is_taken = [&name](const Joint& joint) {
+    return joint.name == name || joint.joint_name == name;
+  };
+  while (std::any_of(robot.joints.begin(), robot.joints.end(), is_taken)) name += '_';
+  return name;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of_value_columns(const Skeleton& robot) {
+  std::vector<std::string> names(robot.coordinates.size() - kRootColumns);
+  const auto columns = value_columns(robot);
+  for (std::size_t j = columns.size(); j-- > 0;) {
+    if (columns[j] && *columns[j] >= kRootColumns) {
+      names[*columns[j] - kRootColumns] = robot.joints[j].name;
+    }
+  }
+  for (std::size_t id = 0; id < names.size(); ++id) {
+    if (names[id].empty()) names[id] = name_of_id(id, robot);
+  }
+  return names;
+}
+
 bool is_bone_name(std::string_view name) {
   constexpr std::array<std::string_view, 6> kTaken = {"root", "begin",    "end",
                                                       "inf",  "infinity", "nan"};

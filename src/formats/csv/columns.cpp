@@ -131,23 +131,28 @@ std::vector<Group> grouped(const TableReader& reader, const std::vector<text::Cs
   return groups;
 }
 
-/// The ids of a robot's joints by their names, and by the names of their links; ids without a joint
-/// have names such as "joint3".
+/// The ids of a robot's joints by the names of their columns, of all links that have them, and of
+/// their joints. A robot's motion, as opposed to a body motion, calls the column of an id without a
+/// joint by its root and the id: "WAIST.q3".
 std::map<std::string, std::size_t> ids_of(const Skeleton& skeleton) {
-  const auto columns = value_columns(skeleton);
   std::map<std::string, std::size_t> ids;
-  std::vector<bool> has_joint(skeleton.coordinates.size(), false);
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (!columns[j] || *columns[j] < kRootColumns) continue;
-    const Joint& joint = skeleton.joints[j];
-    const std::size_t id = *columns[j] - kRootColumns;
-    has_joint[*columns[j]] = true;
-    ids[joint.name] = id;
-    if (!joint.joint_name.empty()) ids.emplace(joint.joint_name, id);
+  const std::vector<std::string> names = names_of_value_columns(skeleton);
+  for (std::size_t id = 0; id < names.size(); ++id) ids.emplace(names[id], id);
+  const std::vector<std::string> of_motions = column_names(skeleton);
+  for (std::size_t id = 0; id < names.size(); ++id) {
+    ids.emplace(of_motions[kRootColumns + id], id);
   }
-  for (std::size_t column = kRootColumns; column < has_joint.size(); ++column) {
-    const std::size_t id = column - kRootColumns;
-    if (!has_joint[column]) ids.emplace(fmt::format("joint{}", id), id);
+  const auto columns = value_columns(skeleton);
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (columns[j] && *columns[j] >= kRootColumns) {
+      ids.emplace(skeleton.joints[j].name, *columns[j] - kRootColumns);
+    }
+  }
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const std::string& name = skeleton.joints[j].joint_name;
+    if (columns[j] && *columns[j] >= kRootColumns && !name.empty()) {
+      ids.emplace(name, *columns[j] - kRootColumns);
+    }
   }
   return ids;
 }

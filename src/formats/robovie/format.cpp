@@ -46,6 +46,7 @@ constexpr Kinds kWrites = {.flows = true};
 
 /// The data that a document keeps from its file.
 struct KeptFile {
+  FlowFormat format = FlowFormat::V1R4;
   TextLayout text;
   std::string encoding;
   bool has_bom = false;
@@ -85,6 +86,7 @@ void check_encoding(const Reader& reader, const text::DecodedText& decoded, Flow
 
 KeptFile kept_of(const text::DecodedText& decoded, const FlowFile& file) {
   KeptFile kept;
+  kept.format = file.flow.format;
   kept.text = kinefile::layout_of(decoded);
   kept.encoding = decoded.encoding;
   kept.has_bom = decoded.has_bom;
@@ -128,12 +130,14 @@ Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& optio
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
-/// The layout for a document: that of its file, changed by the options.
+/// The layout for a document: that of its file, changed by the options. A flow that has become
+/// POSEDEF_V1R4 has the layout of that format: only the newer editor reads it, and reads no other.
 Layout layout_of(const Document& document, FlowFormat format,
                  const kinefile::WriteOptions& options) {
   Layout layout;
   layout.has_blank_lines = format == FlowFormat::V1R4;
-  if (const KeptFile* const kept = document.kept.get<KeptFile>()) {
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  if (kept != nullptr && (kept->format == format || format == FlowFormat::WordN)) {
     layout.encoding = kept->encoding;
     layout.has_bom = kept->has_bom;
     layout.line_end = line_end_of(kept->text);

@@ -205,6 +205,36 @@ TEST(Csv, JointsGoToTheirIdsByTheirNames) {
             "expected each joint of the robot once, found 'KNEE_P' again");
 }
 
+/// Links called joint1 to joint3, of which the ids 1 and 3 are no joint's.
+std::shared_ptr<const Document> robot_with_gaps() {
+  ReadText read;
+  auto document = find_format("body")->read(
+      "format: ChoreonoidBody\nformat_version: 2\nlinks:\n"
+      "  - { name: WAIST, joint_type: free }\n"
+      "  - { name: joint1, parent: WAIST, joint_type: revolute, joint_id: 0 }\n"
+      "  - { name: joint2, parent: joint1, joint_type: revolute, joint_id: 2 }\n"
+      "  - { name: joint3, parent: joint2, joint_type: revolute, joint_id: 4 }\n",
+      {}, read.diagnostics);
+  EXPECT_TRUE(document) << text_of(read.diagnostics);
+  return document ? std::make_shared<const Document>(std::move(*document)) : nullptr;
+}
+
+TEST(Csv, IdsWithoutAJointHaveNamesThatNoJointHas) {
+  ReadOptions options;
+  options.skeleton = robot_with_gaps();
+  ASSERT_NE(options.skeleton, nullptr);
+  EXPECT_EQ(names_of_value_columns(skeleton_of(*options.skeleton)),
+            (std::vector<std::string>{"joint1", "joint1_", "joint2", "joint3_", "joint3"}));
+  for (const char* header : {"time,joint1.q,joint1_.q,joint2.q,joint3_.q,joint3.q\n",
+                             "time,joint1.q,WAIST.q1,joint2.q,WAIST.q3,joint3.q\n"}) {
+    const auto read = read_csv(std::string(header) + "0,1,2,3,4,5\n0.1,6,7,8,9,10\n", options);
+    EXPECT_EQ(text_of(read.diagnostics), "") << header;
+    EXPECT_EQ(components_of(read)[0].values, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  }
+  const auto usual = robot_document();
+  EXPECT_EQ(names_of_value_columns(skeleton_of(*usual)), (std::vector<std::string>{"HIP", "KNEE"}));
+}
+
 TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
   ReadOptions options;
   options.skeleton = robot_document();
@@ -226,6 +256,25 @@ TEST(Csv, WhatIsWrittenOfARobotReadsTheSame) {
   EXPECT_EQ(components[0].values, components_of(seq)[1].values);
   EXPECT_EQ(components[1].values, components_of(seq)[0].values);
   EXPECT_EQ(components[1].timeline, (Timeline{FrameRate{10}, 0}));
+}
+
+TEST(Csv, WhatIsWrittenOfARobotWithGapsReadsTheSame) {
+  ReadOptions options;
+  options.skeleton = robot_with_gaps();
+  ASSERT_NE(options.skeleton, nullptr);
+  const auto table = read_csv(
+      "time,joint1_.q,joint1.q,joint2.q,joint3.q,joint3_.q\n"
+      "0,9,1,2,3,8\n0.1,7,4,5,6,-7\n",
+      options);
+  Diagnostics none;
+  auto motion = robot::pose(std::get<BodyMotion>(table.document->content),
+                            skeleton_of(*options.skeleton), false, none);
+  ASSERT_TRUE(motion);
+  const auto back = read_csv(write_to_string({*motion, "choreonoid", {}}, "csv"), options);
+  const Component* joints = find_component(std::get<BodyMotion>(back.document->content),
+                                           ComponentKind::Values, kJointDisplacement);
+  ASSERT_NE(joints, nullptr) << text_of(back.diagnostics);
+  EXPECT_EQ(joints->values, (std::vector<double>{1, 9, 2, 8, 3, 4, 7, 5, -7, 6}));
 }
 
 TEST(Csv, EveryTruncationIsReadOrRefusedWithAPlace) {

@@ -2,6 +2,7 @@
 // Encodings, layouts and what cannot be written.
 
 #include "formats/robovie/robovie.hpp"
+#include "kinefile/flow.hpp"
 #include "kinefile/robovie.hpp"
 
 namespace kinefile::test {
@@ -160,6 +161,31 @@ TEST(RobovieWrite, WhatCannotBeWrittenIsRefused) {
             "error[RBV053]: the flow cannot be written: it has 63 sliders, not 1 to 62");
   document.content = Motion{};
   EXPECT_EQ(write_fault(document), "error[RBV053]: expected a flow of servo poses to write");
+}
+
+TEST(RobovieWrite, AFlowThatBecomesV1R4HasItsEncoding) {
+  // ソ is 83 5C in CP932. The older editor's file has no byte order mark.
+  const std::string word_n =
+      "_MOTION_FORMAT:[ POSEDEF_WORD_N ]\r\n_ENABLE_AXIS:[2]\r\n"
+      "_POSE:[10]-[0x0001,0X0000]-[-1]-[-1]-[[\x83\x5C.wav]]\r\n";
+  for (const std::string& bytes : {word_n, replaced(word_n, "\x83\x5C", "ソ"),
+                                   replaced(word_n, "-[[\x83\x5C.wav]]\r\n", "-[[]]\r\n")}) {
+    Document document = robovie_document(bytes);
+    EXPECT_EQ(write_to_string(document, "robovie"), bytes) << "as it is, nothing changes";
+    Diagnostics diagnostics;
+    document.content =
+        flow::in_format(std::get<PoseFlow>(document.content), FlowFormat::V1R4, diagnostics)
+            .value();
+    const std::string written = write_to_string(document, "robovie");
+    EXPECT_TRUE(written.starts_with("\xFF\xFE_\0M")) << bytes;
+    const ReadText again = read_robovie(written);
+    EXPECT_EQ(text_of(again.diagnostics), "") << "just as the editor writes";
+    EXPECT_EQ(flow_of(again), std::get<PoseFlow>(document.content));
+    // Who asks for an encoding gets it.
+    const std::string asked =
+        write_to_string(document, "robovie", {.of_formats = robovie::WriteOptions{"cp932"}});
+    EXPECT_TRUE(asked.starts_with("_MOTION_FORMAT:[ POSEDEF_V1R4 ]\r\n"));
+  }
 }
 
 TEST(RobovieWrite, MissingWordsAreWrittenAsDisabled) {

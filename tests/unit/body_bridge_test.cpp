@@ -339,5 +339,81 @@ TEST(BodyBridge, ObliqueShouldersFollowExactly) {
   }
 }
 
+/// A robot that faces +x, with one joint about y in each hip.
+Skeleton robot_with_hips() {
+  Skeleton robot;
+  robot.angle_unit = AngleUnit::Radians;
+  robot.metres_per_unit = 1;
+  robot.up = 2;
+  for (std::size_t c = 0; c < kRootColumns + 2; ++c) robot.coordinates.push_back({0, "q"});
+  Joint waist;
+  waist.name = "WAIST";
+  waist.dofs = {{DofKind::Free, Vec3::UnitX(), 0, 0}};
+  robot.joints = {waist};
+  for (const char* name : {"L_HIP", "R_HIP"}) {
+    Joint hip;
+    hip.name = name;
+    hip.parent = 0;
+    hip.offset = {0, robot.joints.size() == 1 ? 0.1 : -0.1, 0};
+    hip.dofs = {{DofKind::Rotation, Vec3::UnitY(), kRootColumns + robot.joints.size() - 1, 0}};
+    robot.joints.push_back(hip);
+  }
+  return robot;
+}
+
+/// A figure with the same names that faces -y, as one that faced +z when y was up.
+/// \param angles  of the left hip, about x, y and z
+Motion figure_with_hips(const Vec3& angles) {
+  Motion figure;
+  figure.skeleton.metres_per_unit = 1;
+  figure.skeleton.up = 2;
+  for (const char* name : {"WAIST", "L_HIP", "R_HIP"}) {
+    Joint joint;
+    joint.name = name;
+    const std::size_t j = figure.skeleton.joints.size();
+    if (j > 0) joint.parent = 0;
+    if (j > 0) joint.offset = {j == 1 ? 0.1 : -0.1, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto kind = j == 0 ? DofKind::Translation : DofKind::Rotation;
+      joint.dofs.push_back({kind, Vec3::Unit(static_cast<Eigen::Index>(k)), 3 * j + k, 0});
+      figure.skeleton.coordinates.push_back({j, channel_name(kind, k)});
+    }
+    figure.skeleton.joints.push_back(joint);
+  }
+  figure.clip.num_frames = 1;
+  figure.clip.num_coordinates = 9;
+  figure.clip.values = {0, -2, 1, angles[0], angles[1], angles[2], 0, 0, 0};
+  return figure;
+}
+
+TEST(BodyBridge, AFigureIsTurnedToFaceAsTheRobotDoes) {
+  const Skeleton robot = robot_with_hips();
+  Diagnostics diagnostics;
+  const auto body = robot::onto_robot(figure_with_hips({20, 0, 0}), robot, {}, false, diagnostics);
+  ASSERT_TRUE(body) << to_string(body.error());
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG018"});
+  const auto motion = robot::pose(*body, robot, false, diagnostics);
+  ASSERT_TRUE(motion);
+  EXPECT_NEAR(motion->clip.row(0)[0], 2, 1e-12);  // what went along -y goes along x
+  EXPECT_NEAR(motion->clip.row(0)[1], 0, 1e-12);
+  EXPECT_NEAR(motion->clip.row(0)[2], 1, 1e-12);
+  EXPECT_NEAR(motion->clip.row(0)[3], 1, 1e-12);  // the root is not turned
+  EXPECT_NEAR(motion->clip.row(0)[kRootColumns], 20 * kRadiansPerDegree, 1e-12);
+}
+
+TEST(BodyBridge, ARobotThatCannotDoItIsRefusedBeyondThirtyDegrees) {
+  const Skeleton robot = robot_with_hips();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(robot::onto_robot(figure_with_hips({0, 0, 29}), robot, {}, false, diagnostics));
+  const Motion turned = figure_with_hips({0, 0, 40});
+  const auto refused = robot::onto_robot(turned, robot, {}, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(refused.error().message,
+            "the robot cannot do what the figure does: up to 40 degrees would be lost in 'L_HIP "
+            "(L_HIP)'; --lenient goes on");
+  EXPECT_TRUE(robot::onto_robot(turned, robot, {}, true, diagnostics));
+}
+
 }  // namespace
 }  // namespace kinefile::test

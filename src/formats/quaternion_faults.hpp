@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "kinefile/diagnostics.hpp"
 #include "text/source.hpp"

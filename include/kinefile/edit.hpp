@@ -76,10 +76,11 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
 /// with the axis that points up (see `settle_up_axis`). The last frames of the first are blended
 /// (3u^2 - 2u^3) into the first frames of the second. The second is rotated only if all such joints
 /// turn about three axes, move freely or are points. The skeletons must have the same names,
-/// parents, degrees of freedom and columns, and offsets within 1e-6 of the skeleton's size; rest
-/// values may differ. Frame rates must agree (see `have_same_rate`) unless frames have their own
-/// times, which go on after the median step of the first. \param is_moved  false for numbers that
-/// are no places in the world, such as values of joints:
+/// parents, degrees of freedom and columns, and offsets within 1e-4 of the skeleton's size: those
+/// of the first are used, and a difference beyond 1e-6 gives a note (EDT014). Rest values may
+/// differ. Frame rates must agree (see `have_same_rate`) unless frames have their own times, which
+/// go on after the median step of the first.
+/// \param is_moved  false for numbers that are no places in the world, such as values of joints:
 ///                  they are blended as they are
 /// \errors EDT005 (Usage) if the skeletons or frame rates differ, one has fewer frames than are to
 ///         be blended, or the result would have more than 2^30 values

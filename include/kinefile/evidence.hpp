@@ -62,9 +62,9 @@ struct LengthUnit {
   std::string reason;
 };
 
-/// The unit of length: `Skeleton::metres_per_unit` if it is above 0. Otherwise the metre, the
-/// centimetre or the millimetre: the one in which the figure stands between 0.1 and 10 m, 5 m for
-/// the millimetre.
+/// The unit of length: `Skeleton::metres_per_unit` if it is above 0. Otherwise the metre; the
+/// centimetre if the figure stands higher than 10 units, the millimetre if higher than 500. If it
+/// is not 0.5 to 3 m tall then, that is doubtful.
 LengthUnit find_length_unit(const Motion& motion);
 
 /// The joints that carry a figure over the ground, in skeleton order: the roots; below a root that

@@ -130,6 +130,7 @@ struct SignEvidence {
   /// symmetric as a whole: the sides of every pair are displaced by as much, and no centre slider
   /// is displaced.
   bool is_clear = false;
+  bool moves = false;  ///< some pose displaces one of the sides
 };
 
 /// The evidence for each pair; shape (pairs).

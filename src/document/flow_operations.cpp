@@ -77,6 +77,7 @@ bool is_among(const flow::MirrorPair& pair, const std::vector<flow::MirrorPair>&
 struct ShownPairs {
   std::vector<flow::MirrorPair> shown;     ///< clearly
   std::vector<flow::MirrorPair> doubtful;  ///< those that may have sign 1
+  std::vector<flow::MirrorPair> unshown;   ///< those that move, and show nothing
   std::string contradictions;
 };
 
@@ -87,13 +88,14 @@ ShownPairs take_shown_signs(const std::vector<flow::SignEvidence>& evidence,
   ShownPairs found;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     flow::MirrorPair& pair = pairs[p];
-    const auto& [alike, opposite, is_clear] = evidence[p];
-    if (is_among(pair, given) || (!alike && !opposite)) continue;
+    const auto& [alike, opposite, is_clear, moves] = evidence[p];
+    if (is_among(pair, given)) continue;
+    if (moves && !alike && !opposite) found.unshown.push_back(pair);
     if (alike && opposite) {
       found.contradictions += fmt::format(
           "{}sliders {} and {} are alike in block {} and opposite in block {}",
           found.contradictions.empty() ? "" : "; ", pair.slider, pair.partner, *alike, *opposite);
-    } else if (is_clear) {
+    } else if (is_clear && (alike || opposite)) {
       pair.sign = alike ? 1 : -1;
       found.shown.push_back(pair);
     } else if (alike) {
@@ -124,6 +126,12 @@ Result<std::vector<flow::MirrorPair>> project_pairs(const PoseFlow& flow,
                     fmt::format("the project does not say whether a pair changes its sign; "
                                 "the words of poses show it: mirror={}",
                                 words_of_pairs(found.shown)));
+  }
+  if (!found.unshown.empty()) {
+    diagnostics.add(Severity::Note, "FLW019",
+                    fmt::format("neither the project nor the poses say whether a pair changes its "
+                                "sign; these are taken to: mirror={}",
+                                words_of_pairs(found.unshown)));
   }
   if (!found.doubtful.empty()) {
     diagnostics.add(Severity::Warning, "FLW015",

@@ -23,13 +23,11 @@ constexpr const char* kZIsUp =
 double settle_unit(const Motion& motion, Diagnostics& diagnostics) {
   const LengthUnit unit = find_length_unit(motion);
   if (unit.certainty == Certainty::Known) return unit.metres;
-  const char* const name = unit.metres == 1      ? "metres"
-                           : unit.metres == 0.01 ? "centimetres"
-                                                 : "millimetres";
   diagnostics.add(Severity::Note, "CNV003",
-                  fmt::format("the file does not say its unit of length; {}, which is taken to be "
-                              "in {} (--unit-in says otherwise)",
-                              unit.reason, name));
+                  fmt::format("the file does not say its unit of length; {}, so a unit is taken to "
+                              "be {} m{} (--unit-in says otherwise)",
+                              unit.reason, unit.metres,
+                              unit.certainty == Certainty::Doubtful ? ", which is doubtful" : ""));
   return unit.metres;
 }
 
@@ -152,6 +150,11 @@ void tell_dropped(const BodyMotion& body, bool has_model, Diagnostics& diagnosti
 Result<Motion> motion_of(const BodyMotion& body, std::size_t usual_up, const KindOptions& options,
                          Diagnostics& diagnostics) {
   tell_dropped(body, options.model != nullptr, diagnostics);
+  const bool has_root = find_component(body, ComponentKind::Poses, kLinkPosition) != nullptr;
+  if (options.model != nullptr && !has_root) {
+    diagnostics.add(Severity::Note, "CNV010",
+                    "the file has no pose of the root link, which stays where it rests");
+  }
   auto posed = options.model != nullptr
                    ? robot::pose(body, skeleton_of(*options.model), options.lenient, diagnostics)
                    : robot::motion_of_links(body);

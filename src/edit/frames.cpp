@@ -230,7 +230,8 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
 
 Motion in_place(Motion motion, Diagnostics& diagnostics) {
   if (motion.skeleton.joints.empty()) return motion;
-  const auto up = static_cast<Eigen::Index>(settle_up_axis(motion, diagnostics));
+  motion.skeleton.up = settle_up_axis(motion, diagnostics);
+  const auto up = static_cast<Eigen::Index>(*motion.skeleton.up);
   for (const Traveller& traveller : travellers_of(motion, find_travellers(motion))) {
     hold(traveller, up, motion.clip);
   }

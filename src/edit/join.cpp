@@ -14,7 +14,8 @@
 namespace kinefile::edit {
 namespace {
 
-constexpr double kSame = 1e-6;  // of the skeleton's size
+constexpr double kSameOffset = 1e-4;   // of the skeleton's size: exporters round
+constexpr double kExactOffset = 1e-6;  // a larger difference is told
 
 Error cannot_join(std::string why) {
   return make_error(ErrorKind::Usage, "EDT005", std::move(why));
@@ -54,7 +55,7 @@ std::string difference_of(const Joint& a, const Joint& b, double tolerance) {
 /// The difference that prevents joining motions of two skeletons, or an empty text.
 std::string difference_of(const Skeleton& a, const Skeleton& b) {
   if (a.angle_unit != b.angle_unit) return "one is in degrees and one in radians";
-  const double tolerance = kSame * rest_size(a);
+  const double tolerance = kSameOffset * rest_size(a);
   for (std::size_t j = 0; j < std::min(a.joints.size(), b.joints.size()); ++j) {
     std::string difference = difference_of(a.joints[j], b.joints[j], tolerance);
     if (!difference.empty()) return difference;
@@ -132,6 +133,20 @@ void append_rows(Clip& first, const Clip& second, std::size_t begin) {
   first.num_frames += second.num_frames - begin;
 }
 
+/// Tells how far the offsets of the second skeleton are from those of the first, which are used.
+void tell_rounded_offsets(const Skeleton& first, const Skeleton& second, Diagnostics& diagnostics) {
+  double largest = 0;
+  for (std::size_t j = 0; j < first.joints.size(); ++j) {
+    largest = std::max(largest, (first.joints[j].offset - second.joints[j].offset).norm());
+  }
+  if (!(largest > kExactOffset * rest_size(first))) return;
+  diagnostics.add(
+      Severity::Note, "EDT014",
+      fmt::format("the offsets of the motion that follows differ by up to {:.2g}; those "
+                  "of the first are used",
+                  largest));
+}
+
 /// The ground of two motions that are joined. If different joints carry them, the roots do.
 Ground ground_of(const Motion& first, const Motion& second, Diagnostics& diagnostics) {
   Ground ground{settle_up_axis(first, diagnostics), find_travellers(first)};
@@ -176,8 +191,12 @@ Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_
   if (is_too_large(num_frames, first.clip.num_coordinates)) {
     return fail(cannot_join("the motion would have more than 2^30 values"));
   }
+  tell_rounded_offsets(first.skeleton, second.skeleton, diagnostics);
   std::optional<Ground> ground;
-  if (num_blend_frames > 0 && is_moved) ground = ground_of(first, second, diagnostics);
+  if (num_blend_frames > 0 && is_moved) {
+    ground = ground_of(first, second, diagnostics);
+    first.skeleton.up = ground->up;
+  }
   append_to(first, second, num_blend_frames, ground);
   return first;
 }
@@ -198,7 +217,10 @@ Result<Motion> loop(const Motion& motion, std::size_t count, std::size_t num_ble
   if (clip.num_frames == 0) return result;
   result.clip.values.reserve(clip.values.size() * count);
   std::optional<Ground> ground;
-  if (num_blend_frames > 0 && is_moved) ground = ground_of(motion, motion, diagnostics);
+  if (num_blend_frames > 0 && is_moved) {
+    ground = ground_of(motion, motion, diagnostics);
+    result.skeleton.up = ground->up;
+  }
   for (std::size_t i = 1; i < count; ++i) append_to(result, motion, num_blend_frames, ground);
   return result;
 }

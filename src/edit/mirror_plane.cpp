@@ -164,13 +164,14 @@ std::optional<FrameMatch> match_in_frames(const Motion& motion, std::size_t up,
   const Skeleton& skeleton = motion.skeleton;
   if (motion.clip.num_frames == 0) return std::nullopt;
   const WorldPoses poses = sampled_poses(motion);
+  const auto on_trunk = pairs_on_trunk(skeleton, by_name);
   std::optional<FrameMatch> best;
   for (std::size_t row = 0; row < poses.num_frames; ++row) {
     const JointPlaces places = places_of(skeleton, poses, row);
     std::vector<Vec3> directions;
     if (!has_pairs(by_name)) {
       directions = possible_directions(places, skeleton, up);
-    } else if (const auto direction = direction_between(places, skeleton, by_name, up)) {
+    } else if (const auto direction = direction_between(places, skeleton, on_trunk, up)) {
       directions = {*direction};
     }
     for (const Vec3& direction : directions) {
@@ -193,10 +194,11 @@ std::size_t world_axis_of(const Motion& motion, const std::vector<std::size_t>& 
   if (first == up) first = up == 0 ? 1 : 0;
   const std::size_t other = 3 - up - first;
   if (motion.clip.num_frames == 0) return first;
+  const auto on_trunk = pairs_on_trunk(motion.skeleton, pairs);
   const WorldPoses poses = sampled_poses(motion);
   Vec3 distances = Vec3::Zero();
   for (std::size_t row = 0; row < poses.num_frames; ++row) {
-    const Vec3 in_row = distances_of_pairs(places_of(motion.skeleton, poses, row), pairs);
+    const Vec3 in_row = distances_of_pairs(places_of(motion.skeleton, poses, row), on_trunk);
     if (in_row.allFinite()) distances += in_row;
   }
   const double along = distances[static_cast<Eigen::Index>(first)];

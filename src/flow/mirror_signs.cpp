@@ -79,8 +79,10 @@ std::vector<SignEvidence> sign_evidence(const PoseFlow& flow, const RobotProject
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const Sides sides = sides_of(home, *pose, pairs[p]);
       const bool is_of_two = pairs[p].slider != pairs[p].partner;
-      if (!is_of_two || !sides.are_displaced || !sides.are_of_one_size) continue;
+      if (!is_of_two || !sides.are_displaced) continue;
       SignEvidence& evidence = all[p];
+      evidence.moves = true;
+      if (!sides.are_of_one_size) continue;
       auto& block = sides.are_opposite ? evidence.opposite_block : evidence.alike_block;
       if (!block) block = b;
       if (first_sizes[p] == 0) first_sizes[p] = sides.size;

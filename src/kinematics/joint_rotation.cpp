@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/joint_columns.hpp"
 #include "math/turns.hpp"
 
 namespace kinefile {
@@ -42,14 +43,37 @@ Vec3 rotation_vector_near(const Quat& rotation, AngleUnit unit, const Vec3& near
   return nearest_turn(angle, near.dot(axis), turn) * axis;
 }
 
+/// Whether one degree of freedom alone reads its column among some.
+bool has_own_column(const std::vector<DegreeOfFreedom>& rotations, const DegreeOfFreedom& dof) {
+  return std::count_if(rotations.begin(), rotations.end(), [&dof](const DegreeOfFreedom& other) {
+           return other.coordinate == dof.coordinate;
+         }) == 1;
+}
+
+/// Takes whole turns away by which angles went further than they need from where they were.
+/// \param start  the values of `rotations` before
+void take_short_way(const std::vector<DegreeOfFreedom>& rotations, const std::vector<double>& start,
+                    AngleUnit unit, std::span<double> row) {
+  for (std::size_t d = 0; d < rotations.size(); ++d) {
+    const DegreeOfFreedom& dof = rotations[d];
+    if (dof.gain == 0 || !has_own_column(rotations, dof)) continue;
+    const double value = value_of(dof, row[dof.coordinate]);
+    const double turns = turns_towards(value, start[d], whole_turn(unit));
+    if (turns != 0) row[dof.coordinate] = column_of(dof, value + turns);
+  }
+}
+
 /// Finds the angles for which `rotations` are nearest to a rotation, by the Gauss-Newton method,
-/// starting from the angles in the row.
+/// starting from the angles in the row. Near a singular pose a step would be far too long.
 void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3& rotation,
                        AngleUnit unit, const std::vector<bool>& follows, std::span<double> row) {
-  constexpr int kMostSteps = 30;
+  constexpr int kMostSteps = 60;
+  constexpr double kLongestStep = 1;  // radians
   constexpr double kSmallStep = 1e-15;
   using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 16>;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(rotations.size(), 16));
+  std::vector<double> start;
+  for (const DegreeOfFreedom& dof : rotations) start.push_back(value_of(dof, row[dof.coordinate]));
   for (int step = 0; step < kMostSteps; ++step) {
     // A small change of angle d rotates the product about the axis, transformed by the outer
     // rotations.
@@ -64,17 +88,19 @@ void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3
       outer = outer * Eigen::AngleAxisd(angle, dof.axis);
     }
     const Vec3 error = rotation_vector(rotation * outer.transpose());
-    const Eigen::VectorXd change =
+    Eigen::VectorXd change =
         (jacobian.transpose() * jacobian + 1e-12 * Eigen::MatrixXd::Identity(count, count))
             .ldlt()
             .solve(jacobian.transpose() * error);
+    if (change.norm() > kLongestStep) change *= kLongestStep / change.norm();
     for (Eigen::Index d = 0; d < count; ++d) {
       const DegreeOfFreedom& dof = rotations[static_cast<std::size_t>(d)];
       const double per_number = dof.gain * radians_per(unit);
       if (per_number != 0 && change[d] != 0) row[dof.coordinate] += change[d] / per_number;
     }
-    if (!(change.norm() > kSmallStep)) return;
+    if (!(change.norm() > kSmallStep)) break;
   }
+  take_short_way(rotations, start, unit, row);
 }
 
 void fit_euler(const std::vector<DegreeOfFreedom>& rotations, const EulerAxes& axes,

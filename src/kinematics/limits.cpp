@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kinefile {
 namespace {
 
-/// A value may exceed its limit by this fraction of it, because of rounding.
+/// A value may exceed its limit by this fraction of it, or by this much where the limit is near 0,
+/// because of rounding.
 constexpr double kTolerance = 1e-9;
 
 /// Records a frame that is beyond a limit.
 void count(LimitBreach& breach, std::size_t frame, double value, double excess, double& worst) {
-  if (!(excess > kTolerance * std::abs(breach.limit))) return;
+  if (!(excess > kTolerance * std::max(std::abs(breach.limit), 1.0))) return;
   if (breach.num_frames == 0) breach.first_frame = frame;
   ++breach.num_frames;
   if (!(excess > worst)) return;

@@ -20,6 +20,8 @@ constexpr double kFrameWeight = 1;
 constexpr double kGroundWeight = 0.8;
 constexpr double kRestWeight = 0.6;
 constexpr double kClearMargin = 0.5;
+constexpr double kClearMarginInConflict = 0.7;
+constexpr double kConflict = 0.3;
 constexpr double kLeastMargin = 0.1;  // below it, y is as good as z
 
 /// One kind of evidence: how strongly it speaks for each axis, from 0 to 1.
@@ -159,8 +161,15 @@ UpAxis find_up_axis(const Motion& motion) {
   for (const UpEvidence& evidence : all) sum += evidence.weight * evidence.strength;
   const double margin = sum[kZ] - sum[kY];
   up.axis = margin > kLeastMargin ? 2 : 1;
-  up.certainty = std::abs(margin) < kClearMargin ? Certainty::Doubtful : Certainty::Clear;
-  up.reason = reason_for(static_cast<Eigen::Index>(up.axis), all);
+  const auto axis = static_cast<Eigen::Index>(up.axis);
+  double against = 0;
+  for (const UpEvidence& evidence : all) {
+    const double difference = evidence.strength[kY + kZ - axis] - evidence.strength[axis];
+    against += evidence.weight * std::max(difference, 0.0);
+  }
+  const double needed = against > kConflict ? kClearMarginInConflict : kClearMargin;
+  up.certainty = std::abs(margin) < needed ? Certainty::Doubtful : Certainty::Clear;
+  up.reason = reason_for(axis, all);
   return up;
 }
 

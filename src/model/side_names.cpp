@@ -114,14 +114,6 @@ bool is_left_of(const std::string& name, const std::string& partner) {
                      [rest](std::string_view left) { return rest.starts_with(left); });
 }
 
-bool has_side(const std::string& name) {
-  if (with_words_swapped(name) != name) return true;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool is_word = (i == 0 || !is_word_letter(name[i - 1])) &&
-                         (i + 1 == name.size() || !is_word_letter(name[i + 1]));
-    if (is_word && other_side(name[i]) != '\0') return true;
-  }
-  return false;
-}
+bool has_side(const std::string& name) { return with_words_swapped(name) != name; }
 
 }  // namespace kinefile

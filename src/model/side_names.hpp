@@ -19,7 +19,8 @@ std::vector<std::size_t> pairs_by_name(const Skeleton& skeleton);
 /// Whether the first of two names of partners is that of the left one.
 bool is_left_of(const std::string& name, const std::string& partner);
 
-/// Whether a name certainly says a side: Left, Right, 左, 右, or l, r, L, R as a word.
+/// Whether a name certainly says a side: Left, Right, 左, 右. A letter may mean another thing, such
+/// as the roll of WAIST_R.
 bool has_side(const std::string& name);
 
 /// The number of ancestors of every joint; shape (joints).

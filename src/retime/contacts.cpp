@@ -14,9 +14,9 @@ namespace {
 constexpr double kMostSpeed = 0.2;     // metres per second
 constexpr double kMostHeight = 0.04;   // metres above the ground
 constexpr double kLeastTime = 0.1;     // seconds
+constexpr double kPersonHeight = 1.7;  // metres
 constexpr double kGroundShare = 0.02;  // the fraction of frames in which a foot point is at or
                                        // below ground level
-constexpr double kPersonHeight = 1.7;  // metres
 
 /// The length of a unit in metres: that of the skeleton, or one with which the figure stands as
 /// high as a person.

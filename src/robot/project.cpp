@@ -117,7 +117,13 @@ Result<BodyMotion> zmp(const BodyMotion& motion, bool is_root_relative, Diagnost
   if (zmp != nullptr && zmp->is_root_relative == is_root_relative) return motion;
   if (zmp == nullptr || links == nullptr || links->num_frames == 0) {
     return fail(make_error(ErrorKind::Usage, "BRG010",
-                           "expected a ZMP and poses of the root link, found not both"));
+                           zmp == nullptr ? "expected a ZMP, found none"
+                                          : "expected poses of the root link, found none"));
+  }
+  if (!have_same_times(zmp->timeline, links->timeline)) {
+    return fail(make_error(ErrorKind::DataLoss, "BRG014",
+                           "expected the ZMP at the times of the root link's poses, found others; "
+                           "'kinefile resample --fps RATE' brings both to one rate"));
   }
   BodyMotion changed = motion;
   if (zmp->num_frames > links->num_frames) {

@@ -213,6 +213,8 @@ TEST(FlowEdit, AMirrorKeepsTheDefaultInDoubt) {
       "mirror", {start_block(1), pose_block(1, {2000, 2000, 9000, 20, 7, 5}, 2), end_block()});
   EXPECT_EQ(
       text,
+      "note[FLW019]: neither the project nor the poses say whether a pair changes its sign; these "
+      "are taken to: mirror=2:3:-1\n"
       "warning[FLW015]: the project does not say whether a pair changes its sign; some are "
       "taken to, though the words of both sides are alike in one pose, which is not symmetric: "
       "mirror=0:1:1 keeps their sign\n");

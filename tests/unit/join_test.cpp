@@ -123,11 +123,17 @@ TEST(Appended, RefusesOtherSkeletonsAndTellsTheFirstDifference) {
   EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
             "the skeletons differ: joint 'Chest' is called 'Thorax' there");
   other = walk;
-  other.skeleton.joints[4].offset[1] += 0.01;
+  other.skeleton.joints[4].offset[1] += 0.1;
   EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())),
             "the skeletons differ: joint 'Neck' has another offset");
-  other.skeleton.joints[4].offset[1] -= 0.01 - 1e-5;
-  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())), "");
+  other.skeleton.joints[4].offset[1] -= 0.1 - 1e-5;
+  Diagnostics diagnostics;
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, diagnostics)), "");
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{});
+  other.skeleton.joints[4].offset[1] += 0.01;  // of a skeleton of 260: exporters round
+  EXPECT_EQ(refusal_of(edit::append(walk, other, 0, diagnostics)), "");
+  EXPECT_EQ(test::codes_of(diagnostics), std::vector<std::string>{"EDT014"});
+  other.skeleton.joints[4].offset = walk.skeleton.joints[4].offset;
   other = walk;
   other.skeleton.joints[0].dofs[0].rest = 7;
   EXPECT_EQ(refusal_of(edit::append(walk, other, 0, test::ignored())), "");

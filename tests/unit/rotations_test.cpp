@@ -190,5 +190,24 @@ TEST(RotationBatches, OtherJointsAreFittedAsOneByOne) {
   EXPECT_EQ(residual, largest);
 }
 
+TEST(FitRotation, ObliqueAxesGoTheShortWay) {
+  // Axes of a robot's shoulder, 16 degrees off: near a singular pose steps are long.
+  std::vector<DegreeOfFreedom> rotations = {{DofKind::Rotation, Vec3::UnitY(), 0, 0},
+                                            {DofKind::Rotation, Vec3(0.96, 0, 0.28), 1, 0},
+                                            {DofKind::Rotation, Vec3::UnitY(), 2, 0}};
+  const double pi = std::acos(-1.0);
+  for (int k = 0; k < 200; ++k) {
+    const double t = 0.1 * k;
+    const Quat target = Quat(Eigen::AngleAxisd(1.5 * std::sin(t), Vec3::UnitY())) *
+                        Quat(Eigen::AngleAxisd(0.02 * std::cos(3 * t), Vec3(0.96, 0, 0.28))) *
+                        Quat(Eigen::AngleAxisd(1.4 * std::cos(t), Vec3::UnitY()));
+    std::vector<double> row = {0, 0, 0};
+    const double residual =
+        fit_rotation(rotations, target.toRotationMatrix(), AngleUnit::Radians, row);
+    EXPECT_LT(residual, 1e-6) << k;
+    for (const double angle : row) EXPECT_LE(std::abs(angle), pi) << k;
+  }
+}
+
 }  // namespace
 }  // namespace kinefile

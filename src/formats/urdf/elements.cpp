@@ -48,10 +48,15 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-std::optional<double> finite_number(std::string_view word) {
+std::optional<double> number_or_infinity(std::string_view word) {
   const text::Number number = text::parse_number(word);
-  const bool is_good = number.fault == text::NumberFault::None && std::isfinite(number.value);
+  const bool is_good = number.fault == text::NumberFault::None && !std::isnan(number.value);
   return is_good ? std::optional(number.value) : std::nullopt;
+}
+
+std::optional<double> finite_number(std::string_view word) {
+  const auto number = number_or_infinity(word);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 }  // namespace
@@ -127,15 +132,27 @@ std::optional<std::string> Elements::word(const XMLElement& element, const char*
   return std::nullopt;
 }
 
+std::optional<double> Elements::limit(const XMLElement& element, const char* attribute,
+                                      double fallback) {
+  return read_number(element, attribute, fallback, number_or_infinity, "a number");
+}
+
 std::optional<double> Elements::number(const XMLElement& element, const char* attribute,
                                        double fallback) {
+  return read_number(element, attribute, fallback, finite_number, "a finite number");
+}
+
+std::optional<double> Elements::read_number(const XMLElement& element, const char* attribute,
+                                            double fallback,
+                                            std::optional<double> (*read)(std::string_view),
+                                            std::string_view expected) {
   const XMLAttribute* found = element.FindAttribute(attribute);
   if (found == nullptr) return fallback;
   const auto words = words_of(found->Value());
-  const auto number = words.size() == 1 ? finite_number(words[0]) : std::nullopt;
+  const auto number = words.size() == 1 ? read(words[0]) : std::nullopt;
   if (!number) {
     report(Severity::Error, spot(element, *found), code::kBadValue,
-           fmt::format("expected a finite number as {}, found {}", attribute,
+           fmt::format("expected {} as {}, found {}", expected, attribute,
                        text::quoted(found->Value())));
   }
   return number;

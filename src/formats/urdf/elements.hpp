@@ -33,6 +33,9 @@ class Elements {
   /// \param fallback  the value if there is no such attribute
   std::optional<double> number(const tinyxml2::XMLElement& element, const char* attribute,
                                double fallback);
+  /// A limit: a number or an infinity, which is no limit (urdfdom reads it so).
+  std::optional<double> limit(const tinyxml2::XMLElement& element, const char* attribute,
+                              double fallback);
   /// Three finite numbers.
   std::optional<Vec3> vector(const tinyxml2::XMLElement& element, const char* attribute,
                              const Vec3& fallback);
@@ -46,6 +49,10 @@ class Elements {
   Diagnostics& diagnostics() { return diagnostics_; }
 
  private:
+  std::optional<double> read_number(const tinyxml2::XMLElement& element, const char* attribute,
+                                    double fallback,
+                                    std::optional<double> (*read)(std::string_view),
+                                    std::string_view expected);
   std::vector<double> finite_numbers(const tinyxml2::XMLAttribute& attribute) const;
   const char* start_of_line(int line) const;
   robot_file::Spot find_in_line(int line, const std::string& word) const;

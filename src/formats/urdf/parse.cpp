@@ -331,10 +331,10 @@ class Parser {
       return;
     }
     if (!is_continuous) {
-      link.lower = take(elements_.number(*limit, "lower", 0));
-      link.upper = take(elements_.number(*limit, "upper", 0));
+      link.lower = take(elements_.limit(*limit, "lower", 0));
+      link.upper = take(elements_.limit(*limit, "upper", 0));
     }
-    link.max_speed = std::abs(take(elements_.number(*limit, "velocity", link.max_speed)));
+    link.max_speed = std::abs(take(elements_.limit(*limit, "velocity", link.max_speed)));
   }
 
   /// The root is the only link without a parent joint.

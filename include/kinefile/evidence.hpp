@@ -69,7 +69,8 @@ LengthUnit find_length_unit(const Motion& motion);
 
 /// The joints that carry a figure over the ground, in skeleton order: the roots; below a root that
 /// does not move, the first joints that travel, if there are any. A joint travels if its position
-/// in its parent's frame changes by more than a tenth of the skeleton's size.
+/// in its parent's frame changes by more than a tenth of the skeleton's size, and at least a
+/// quarter of the root's joints are below it.
 std::vector<std::size_t> find_travellers(const Motion& motion);
 
 }  // namespace kinefile

@@ -113,7 +113,8 @@ struct RobotNames {
 /// Warnings report what the robot cannot do; feet may slide and float.
 /// \param lenient  with less than all of the motion, too
 /// \errors BRG012 (Usage) if `robot` is not a robot; BRG016 (Usage) if no names match; BRG019
-///         (DataLoss) if more than 30 degrees of a joint's rotation are lost, unless `lenient`
+///         (DataLoss) if more than 30 degrees of a joint's rotation are lost, and BRG020 (DataLoss)
+///         if its legs do not hang down along z at rest, unless `lenient`
 Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const RobotNames& names,
                               bool lenient, Diagnostics& diagnostics);
 

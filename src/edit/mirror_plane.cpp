@@ -123,24 +123,39 @@ std::vector<std::size_t> sizes_of_subtrees(const Skeleton& skeleton) {
   return sizes;
 }
 
-/// Without names: the horizontal directions between siblings with equally many joints below them,
-/// and the horizontal axes.
-std::vector<Vec3> possible_directions(const JointPlaces& places, const Skeleton& skeleton,
-                                      std::size_t up) {
-  constexpr std::size_t kMost = 12;
+/// Without names: siblings with equally many joints below them, which may be halves.
+std::vector<std::array<std::size_t, 2>> possible_halves(const Skeleton& skeleton) {
+  constexpr std::size_t kMost = 10;
   const auto sizes = sizes_of_subtrees(skeleton);
-  std::vector<Vec3> directions = {unit(up == 0 ? 1 : 0), unit(up == 2 ? 1 : 2)};
-  for (std::size_t a = 0; a < sizes.size(); ++a) {
-    for (std::size_t b = a + 1; b < sizes.size() && directions.size() < kMost; ++b) {
-      const bool are_alike =
-          sizes[a] == sizes[b] && skeleton.joints[a].parent == skeleton.joints[b].parent;
-      if (!are_alike) continue;
-      Vec3 apart = places.ends[a] - places.ends[b];
-      apart[static_cast<Eigen::Index>(up)] = 0;
-      if (apart.norm() > 0) directions.push_back(apart.normalized());
+  std::vector<std::array<std::size_t, 2>> halves;
+  for (const std::vector<std::size_t>& siblings : children_of_joints(skeleton)) {
+    for (std::size_t i = 0; i + 1 < siblings.size() && halves.size() < kMost; ++i) {
+      for (std::size_t k = i + 1; k < siblings.size() && halves.size() < kMost; ++k) {
+        if (sizes[siblings[i]] == sizes[siblings[k]]) halves.push_back({siblings[i], siblings[k]});
+      }
     }
   }
+  return halves;
+}
+
+/// The horizontal directions between possible halves, and the horizontal axes.
+std::vector<Vec3> possible_directions(const JointPlaces& places,
+                                      const std::vector<std::array<std::size_t, 2>>& halves,
+                                      std::size_t up) {
+  std::vector<Vec3> directions = {unit(up == 0 ? 1 : 0), unit(up == 2 ? 1 : 2)};
+  for (const auto& [a, b] : halves) {
+    Vec3 apart = places.ends[a] - places.ends[b];
+    apart[static_cast<Eigen::Index>(up)] = 0;
+    if (apart.norm() > 0) directions.push_back(apart.normalized());
+  }
   return directions;
+}
+
+/// How many frames are tried: each compares all joints with each other.
+std::size_t num_tried(std::size_t num_frames, std::size_t num_joints) {
+  constexpr std::size_t kMostComparisons = 500000;
+  const std::size_t in_one = num_joints * num_joints + 1;
+  return std::min(num_frames, std::max<std::size_t>(kMostComparisons / in_one, 1));
 }
 
 /// An axis if a direction is that axis up to rounding, so that reflections change signs alone.
@@ -166,11 +181,13 @@ std::optional<FrameMatch> match_in_frames(const Motion& motion, std::size_t up,
   const WorldPoses poses = sampled_poses(motion);
   const auto on_trunk = pairs_on_trunk(skeleton, by_name);
   std::optional<FrameMatch> best;
-  for (std::size_t row = 0; row < poses.num_frames; ++row) {
+  const auto halves = possible_halves(skeleton);
+  const std::size_t count = num_tried(poses.num_frames, skeleton.joints.size());
+  for (std::size_t row = 0; row < count; ++row) {
     const JointPlaces places = places_of(skeleton, poses, row);
     std::vector<Vec3> directions;
     if (!has_pairs(by_name)) {
-      directions = possible_directions(places, skeleton, up);
+      directions = possible_directions(places, halves, up);
     } else if (const auto direction = direction_between(places, skeleton, on_trunk, up)) {
       directions = {*direction};
     }
@@ -210,7 +227,8 @@ std::size_t world_axis_of(const Motion& motion, const std::vector<std::size_t>& 
 Result<MirrorPlane> find_mirror_plane(const Motion& motion, std::optional<std::size_t> axis,
                                       Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
-  const UpAxis up = find_up_axis(motion);
+  UpAxis up = find_up_axis(motion);
+  if (!axis) up.axis = settle_up_axis(motion, diagnostics);
   if (axis == up.axis && up.certainty != Certainty::Doubtful) {
     return fail(ErrorKind::Usage, "EDT004",
                 fmt::format("a mirror whose normal is {}, which points up, puts the figure on its "
@@ -238,9 +256,17 @@ Result<MirrorPlane> find_mirror_plane(const Motion& motion, std::optional<std::s
       match = std::move(better->match);
       diagnostics.add(Severity::Note, "EDT012",
                       fmt::format("the rest pose is not symmetric; left and right are matched in "
-                                  "frame {}, the most symmetric one",
-                                  *plane.frame));
+                                  "frame {}, the most symmetric one, where they differ by up to "
+                                  "{:.2g} % of the skeleton's size",
+                                  *plane.frame, 100 * match.asymmetry));
     }
+  }
+  if (moves && match.asymmetry > kSymmetric) {
+    diagnostics.add(
+        Severity::Warning, "EDT015",
+        fmt::format("left and right differ by up to {:.2g} % of the skeleton's size, at "
+                    "rest and in every frame; the mirrored motion is off by as much",
+                    100 * match.asymmetry));
   }
   plane.skeleton_normal = match.normal;
   plane.pairs = std::move(match.pairs);

@@ -67,8 +67,8 @@ void take_short_way(const std::vector<DegreeOfFreedom>& rotations, const std::ve
 /// starting from the angles in the row. Near a singular pose a step would be far too long.
 void fit_least_squares(const std::vector<DegreeOfFreedom>& rotations, const Mat3& rotation,
                        AngleUnit unit, const std::vector<bool>& follows, std::span<double> row) {
-  constexpr int kMostSteps = 60;
-  constexpr double kLongestStep = 1;  // radians
+  constexpr int kMostSteps = 100;
+  constexpr double kLongestStep = 0.3;  // radians
   constexpr double kSmallStep = 1e-15;
   using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 16>;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(rotations.size(), 16));

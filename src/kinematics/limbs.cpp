@@ -28,8 +28,8 @@ bool is_called_leg(const std::string& name) {
 std::optional<Leg> leg_to(const Skeleton& skeleton, const std::vector<bool>& is_leg,
                           const std::vector<std::size_t>& first_tips, std::size_t bottom) {
   Leg leg{bottom, bottom};
-  for (std::size_t j = bottom; j != kNoParent && is_leg[j]; j = skeleton.joints[j].parent) {
-    leg.top = j;
+  for (std::size_t j = bottom; j != kNoParent; j = skeleton.joints[j].parent) {
+    if (is_leg[j]) leg.top = j;  // bones between, such as a metatarsal, have other names
   }
   if (leg.top != bottom) return leg;
   if (is_called_foot(skeleton.joints[bottom].name)) {  // a foot alone lies level
@@ -59,13 +59,29 @@ std::vector<Leg> find_legs(const Skeleton& skeleton) {
     const std::size_t parent = skeleton.joints[j].parent;
     if (parent != kNoParent && (is_leg[j] || has_leg_below[j])) has_leg_below[parent] = true;
   }
-  const auto first_tips = first_tips_of_joints(skeleton);
   std::vector<Leg> legs;
+  // A prefix that all names have says nothing.
+  if (std::find(is_leg.begin(), is_leg.end(), false) == is_leg.end()) return legs;
+  const auto first_tips = first_tips_of_joints(skeleton);
   for (std::size_t j = 0; j < num_joints; ++j) {
     if (!is_leg[j] || has_leg_below[j]) continue;
     if (const auto leg = leg_to(skeleton, is_leg, first_tips, j)) legs.push_back(*leg);
   }
   return legs;
+}
+
+std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up) {
+  constexpr double kDown = 0.7;  // the cosine of the largest angle
+  const std::vector<Leg> legs = find_legs(skeleton);
+  if (legs.empty()) return std::nullopt;
+  const WorldPoses rest = sampled_poses({skeleton, {}});
+  Vec3 sum = Vec3::Zero();
+  for (const Leg& leg : legs) {
+    const Vec3 bottom =
+        leg.tip ? tip_position(rest, 0, *leg.tip) : joint_position(rest, 0, leg.bottom);
+    sum += (joint_position(rest, 0, leg.top) - bottom).normalized();
+  }
+  return sum[static_cast<Eigen::Index>(up)] > kDown * static_cast<double>(legs.size());
 }
 
 WorldPoses sampled_poses(const Motion& motion) {

@@ -19,6 +19,9 @@ struct Leg {
 /// The legs of a skeleton, found by the names of joints, in English and Japanese.
 std::vector<Leg> find_legs(const Skeleton& skeleton);
 
+/// Whether the legs hang down along an axis in the rest pose; nothing if there are none.
+std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up);
+
 /// Whether a name is that of a foot or a part of it.
 bool is_called_foot(const std::string& name);
 

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "kinefile/evidence.hpp"
+#include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/limbs.hpp"
@@ -46,15 +49,31 @@ double range_of(const Joint& joint, const Clip& clip) {
   return std::max((box.max - box.min).maxCoeff(), 0.0);
 }
 
-/// Whether the columns of a joint have the same numbers in all frames.
-bool is_still(const Joint& joint, const Clip& clip) {
-  for (const DegreeOfFreedom& dof : joint.dofs) {
-    for (std::size_t k = 0; k < num_coordinates(dof); ++k) {
-      const std::size_t column = dof.coordinate + k;
-      if (clip.num_frames > 0 && !is_always(clip, column, clip.row(0)[column])) return false;
-    }
+/// Whether a joint stays where it is but for an exporter's last digits.
+bool is_still(const Joint& joint, const Motion& motion, double size) {
+  constexpr double kMostShift = 1e-3;  // of the skeleton's size
+  constexpr double kMostTurn = 2e-3;   // radians
+  if (range_of(joint, motion.clip) > kMostShift * size) return false;
+  const auto rotations = rotations_of(joint);
+  if (rotations.empty()) return true;
+  const AngleUnit unit = motion.skeleton.angle_unit;
+  std::optional<Quat> first;
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const Quat turned = quaternion_in_row(rotations, motion.clip.row(f), unit);
+    if (!turned.coeffs().allFinite()) continue;
+    if (!first) first = turned;
+    if (angle_between(*first, turned) > kMostTurn) return false;
   }
   return true;
+}
+
+/// The number of joints below each joint, itself included.
+std::vector<std::size_t> sizes_below(const std::vector<Joint>& joints) {
+  std::vector<std::size_t> sizes(joints.size(), 1);
+  for (std::size_t j = sizes.size(); j-- > 0;) {
+    if (joints[j].parent != kNoParent) sizes[joints[j].parent] += sizes[j];
+  }
+  return sizes;
 }
 
 }  // namespace
@@ -87,8 +106,11 @@ LengthUnit find_length_unit(const Motion& motion) {
 
 std::vector<std::size_t> find_travellers(const Motion& motion) {
   constexpr double kTravel = 0.1;
+  constexpr std::size_t kLeastPart =
+      4;  // a ball beside a figure carries nobody: at least a quarter
   const std::vector<Joint>& joints = motion.skeleton.joints;
-  const double least = kTravel * rest_size(motion.skeleton);
+  const double size = rest_size(motion.skeleton);
+  const auto sizes = sizes_below(joints);
   std::vector<bool> is_below_still_root(joints.size(), false);
   std::vector<std::size_t> root_of(joints.size(), kNoParent);
   std::vector<bool> has_traveller(joints.size(), false);
@@ -99,8 +121,10 @@ std::vector<std::size_t> find_travellers(const Motion& motion) {
     root_of[j] = is_root ? j : root_of[parent];
     const bool is_reached = is_root || is_below_still_root[parent];
     if (!is_reached) continue;
-    is_below_still_root[j] = is_still(joints[j], motion.clip);
-    if (is_below_still_root[j] || !(range_of(joints[j], motion.clip) > least)) continue;
+    is_below_still_root[j] = is_still(joints[j], motion, size);
+    const bool is_large = kLeastPart * sizes[j] >= sizes[root_of[j]];
+    if (is_below_still_root[j] || !is_large) continue;
+    if (!(range_of(joints[j], motion.clip) > kTravel * size)) continue;
     travellers.push_back(j);
     has_traveller[root_of[j]] = true;
   }

@@ -53,6 +53,8 @@ bool is_word_letter(char c) {
 std::vector<std::string> names_of_other_half(const std::string& name) {
   std::vector<std::string> names;
   if (std::string swapped = with_words_swapped(name); swapped != name) names.push_back(swapped);
+  constexpr std::size_t kLongest = 256;  // every letter of a longer one would make a candidate
+  if (name.size() > kLongest) return names;
   std::vector<std::string> ends;  // a letter that is not a separate word is less certain
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char other = other_side(name[i]);

@@ -14,6 +14,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/robot.hpp"
 #include "kinematics/joint_columns.hpp"
+#include "kinematics/limbs.hpp"
 #include "kinematics/rotation_batches.hpp"
 #include "model/joint_names.hpp"
 #include "robot/robot.hpp"
@@ -297,6 +298,11 @@ Result<BodyMotion> onto_robot(const Motion& motion, const Skeleton& robot, const
     return fail(make_error(ErrorKind::Usage, "BRG012",
                            "expected the skeleton of a robot, whose root moves freely and whose "
                            "joints move in one way each"));
+  }
+  if (!lenient && !stands_at_rest(motion.skeleton, 2).value_or(true)) {
+    return fail(ErrorKind::DataLoss, "BRG020",
+                "the figure does not stand at rest, from where its rotations count, so the robot "
+                "would not stand either; --lenient goes on");
   }
   const Quat heading = heading_of(motion.skeleton, robot, diagnostics);
   std::vector<Follower> followers = followers_of(motion.skeleton, robot, names, heading);

@@ -415,5 +415,46 @@ TEST(BodyBridge, ARobotThatCannotDoItIsRefusedBeyondThirtyDegrees) {
   EXPECT_TRUE(robot::onto_robot(turned, robot, {}, true, diagnostics));
 }
 
+TEST(BodyBridge, AFigureThatDoesNotStandAtRestIsRefused) {
+  Motion figure = figure_with_hips({0, 0, 0});
+  for (std::size_t j = 1; j < 3; ++j) {
+    figure.skeleton.joints[j].name = j == 1 ? "L_LEG" : "R_LEG";
+    figure.skeleton.joints[j].tips = {{"", {0.8, 0, 0}}};
+  }
+  robot::RobotNames names;
+  names.source_of = {{"L_HIP", "L_LEG"}, {"R_HIP", "R_LEG"}};
+  Diagnostics diagnostics;
+  const auto refused = robot::onto_robot(figure, robot_with_hips(), names, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "BRG020");
+  for (std::size_t j = 1; j < 3; ++j) figure.skeleton.joints[j].tips[0].offset = {0, 0, -0.8};
+  EXPECT_TRUE(robot::onto_robot(figure, robot_with_hips(), names, false, diagnostics));
+}
+
+TEST(BodyBridge, AZmpAtOtherTimesThanTheRootIsRefused) {
+  BodyMotion body;
+  Component links;
+  links.kind = ComponentKind::Poses;
+  links.content = kLinkPosition;
+  links.num_parts = 1;
+  links.num_frames = 2;
+  links.timeline.given = FrameRate{100};
+  links.values = {0, 0, 1, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0};
+  Component zmp;
+  zmp.kind = ComponentKind::Vectors;
+  zmp.content = kZmp;
+  zmp.num_parts = 1;
+  zmp.num_frames = 2;
+  zmp.timeline.given = FrameRate{50};
+  zmp.values = {0, 0, 0, 1, 0, 0};
+  body.components = {links, zmp};
+  Diagnostics diagnostics;
+  const auto refused = robot::zmp(body, true, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  body.components[1].timeline.given = FrameRate{100};
+  EXPECT_TRUE(robot::zmp(body, true, diagnostics));
+}
+
 }  // namespace
 }  // namespace kinefile::test

@@ -158,5 +158,48 @@ TEST(FindTravellers, AreHeldInTheWorldWhereTheStillRootIsTurned) {
   EXPECT_NEAR(reached.z(), 9 * step.z(), 1e-9);
 }
 
+TEST(FindTravellers, ARootThatWaversIsStillAndABallCarriesNobody) {
+  Motion motion = with_still_root({0, 0, 0});
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    motion.clip.mutate()[f][0] = f % 2 == 0 ? 1e-6 : -1e-6;
+  }
+  EXPECT_EQ(find_travellers(motion), std::vector<std::size_t>{1});
+  std::vector<Bone> bones = {{"Reference", 0, {0, 0, 0}}};
+  for (Bone bone : person()) {
+    ++bone.depth;
+    bones.push_back(bone);
+  }
+  bones.push_back({"Ball", 1, {50, 0, 0}, std::nullopt, true});
+  std::vector<Row> rows;
+  for (int f = 0; f < 5; ++f) {
+    Row row = row_of(bones, {});
+    row[row.size() - 6] = 50 + 40 * f;
+    rows.push_back(row);
+  }
+  EXPECT_EQ(find_travellers(motion_of(bvh_of_figure(bones, rows))), std::vector<std::size_t>{0});
+}
+
+TEST(FindUpAxis, LegsGoOnAboveBonesOfOtherNames) {
+  // Between foot and toe lies a metatarsal; the toes alone would speak for y.
+  std::vector<Bone> bones = {{"pelvis", 0, {0, 0, 0}},
+                             {"thigh.L", 1, {9, 0, -5}},
+                             {"foot.L", 2, {0, 0, -80}},
+                             {"metatarsal.L", 3, {0, -4, -3}},
+                             {"toe.L", 4, {0, -8, 0}, Vec3(0, -4, 0)},
+                             {"spine", 1, {0, 0, 20}, Vec3(0, 0, 60)}};
+  const Motion motion = travelling(bones, {0, 0, 90}, {0, -2, 0}, {0, 0, 0});
+  EXPECT_EQ(find_up_axis(motion).axis, 2u);
+  EXPECT_EQ(find_up_axis(motion).certainty, Certainty::Clear);
+}
+
+TEST(FindUpAxis, StaysWhatItWasWithinOneCommand) {
+  // In place, nothing travels any more, and the evidence of the ground is gone.
+  Motion lying = travelling(person(), {0, 12, 0}, {0, 0, 4}, {0, -90, 0});
+  lying = edit::in_place(lying, ignored());
+  Diagnostics diagnostics;
+  EXPECT_LT((root_in(edit::up(lying, 2, diagnostics), 3) - Vec3(0, 0, 12)).norm(), 1e-9);
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace kinefile::test

@@ -20,7 +20,9 @@ Motion in_mirror(const Motion& motion, std::size_t axis = 0) {
   Diagnostics diagnostics;
   auto result = edit::mirror(motion, axis, false, diagnostics);
   EXPECT_TRUE(result) << to_string(result.error());
-  EXPECT_EQ(test::text_of(diagnostics), "");
+  // Halves of these small skeletons may differ much.
+  EXPECT_EQ(diagnostics.count_of("EDT015", Severity::Warning), diagnostics.items().size())
+      << test::text_of(diagnostics);
   return result ? std::move(*result) : Motion{};
 }
 
@@ -126,7 +128,8 @@ TEST(Mirrored, RefusesAJointWithoutOtherHalf) {
             "the plane of the mirror");
   const auto image = edit::mirror(odd, 0, true, diagnostics);
   ASSERT_TRUE(image);
-  EXPECT_EQ(test::codes_of(diagnostics), (std::vector<std::string>{"EDT004", "EDT004"}));
+  EXPECT_EQ(test::codes_of(diagnostics),
+            (std::vector<std::string>{"EDT015", "EDT015", "EDT004", "EDT004"}));
   EXPECT_EQ(image->clip.row(0)[6], -odd.clip.row(0)[6]);
 }
 

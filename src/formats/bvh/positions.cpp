@@ -62,7 +62,16 @@ File sampled(const File& file) {
   return sample;
 }
 
+/// The length of the longest OFFSET.
+double longest_offset(const File& file) {
+  double longest = 0;
+  for (const Node& node : file.nodes) longest = std::max(longest, vector_of(node.offset).norm());
+  return longest;
+}
+
 std::vector<Candidate> candidates_of(const File& file) {
+  constexpr double kNoOffset = 1e-4;  // of the longest one
+  const double longest = longest_offset(file);
   std::vector<Candidate> candidates;
   std::size_t column = 0;
   for (std::size_t n = 0; n < file.nodes.size(); ++n) {
@@ -74,7 +83,7 @@ std::vector<Candidate> candidates_of(const File& file) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (columns.of_axis[k]) candidate.offset[static_cast<Eigen::Index>(k)] = node.offset[k];
     }
-    if (!columns.any() || candidate.offset.isZero(0)) continue;
+    if (!columns.any() || candidate.offset.norm() <= kNoOffset * longest) continue;
     for (std::size_t f = 0; f < file.num_frames; ++f) {
       Vec3 position = Vec3::Zero();
       for (std::size_t k = 0; k < 3; ++k) {
@@ -113,16 +122,28 @@ bool is_bone(const Candidate& candidate) {
   return (box.max - box.min).norm() <= kMostChange * candidate.offset.norm();
 }
 
+/// Which nodes have position channels that change.
+std::vector<bool> moving_nodes(const File& file) {
+  std::vector<bool> is_moving(file.nodes.size(), false);
+  std::size_t column = 0;
+  for (std::size_t n = 0; n < file.nodes.size(); ++n) {
+    const PositionColumns columns = position_columns(file.nodes[n], column);
+    column += file.nodes[n].channels.size();
+    for (const auto& of_axis : columns.of_axis) {
+      for (std::size_t f = 1; of_axis && f < file.num_frames; ++f) {
+        const double change = file.values[f * file.num_columns + *of_axis] - file.values[*of_axis];
+        if (change != 0) is_moving[n] = true;
+      }
+    }
+  }
+  return is_moving;
+}
+
 /// The joints that carry the figure: roots, and joints below still ancestors that are no bones.
 std::vector<bool> carriers_of(const File& file, const std::vector<Candidate>& candidates) {
-  std::vector<bool> is_moving(file.nodes.size(), false);
+  const std::vector<bool> is_moving = moving_nodes(file);
   std::vector<bool> is_no_bone(file.nodes.size(), false);
-  for (const Candidate& candidate : candidates) {
-    const auto& all = candidate.positions;
-    is_moving[candidate.node] = std::any_of(
-        all.begin(), all.end(), [&](const Vec3& position) { return position != all.front(); });
-    is_no_bone[candidate.node] = !is_bone(candidate);
-  }
+  for (const Candidate& candidate : candidates) is_no_bone[candidate.node] = !is_bone(candidate);
   std::vector<bool> is_carried(file.nodes.size(), false);  // an ancestor moves
   std::vector<bool> carries(file.nodes.size(), false);
   for (std::size_t n = 0; n < file.nodes.size(); ++n) {
@@ -138,9 +159,8 @@ PositionGuess guess_of_bone(const Candidate& candidate) {
   const double replaced = median_distance(candidate, candidate.offset);
   const double added = median_distance(candidate, Vec3::Zero());
   PositionGuess guess{candidate.node, PositionMode::Replace, false, {}};
-  if (added < replaced) guess.mode = PositionMode::Add;
-  const double wrong = std::max(added, replaced);
-  guess.is_clear = kClearly * std::min(added, replaced) < wrong;
+  guess.is_clear = kClearly * std::min(added, replaced) < std::max(added, replaced);
+  if (guess.is_clear && added < replaced) guess.mode = PositionMode::Add;
   const double length = candidate.offset.norm();
   guess.reason = guess.mode == PositionMode::Add
                      ? fmt::format("its values lie {:.6g} from zero and {:.6g} from its OFFSET",
@@ -221,9 +241,9 @@ std::optional<PositionGuess> guess_of_carrier(std::size_t node, const Lowest& lo
   const double from_replaced = touches ? replaced.middle : replaced.nearest;
   const double from_added = touches ? added.middle : added.nearest;
   PositionGuess guess{node, PositionMode::Replace, false, {}};
-  if (from_added < from_replaced) guess.mode = PositionMode::Add;
   const double wrong = std::max(from_added, from_replaced);
   guess.is_clear = kClearly * std::min(from_added, from_replaced) < wrong && wrong > 2 * ground;
+  if (guess.is_clear && from_added < from_replaced) guess.mode = PositionMode::Add;
   const bool is_added = guess.mode == PositionMode::Add;
   const FromGround& right = is_added ? added : replaced;
   guess.reason = fmt::format(
@@ -237,12 +257,19 @@ std::optional<PositionGuess> guess_of_carrier(std::size_t node, const Lowest& lo
 void add_guesses_of_carriers(const File& sample, const std::vector<Candidate>& candidates,
                              const std::vector<bool>& carries, std::optional<std::size_t> up,
                              std::vector<PositionGuess>& guesses) {
+  constexpr std::size_t kMostCarriers = 16;  // each looks at the whole figure
+  const auto count = std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+    return static_cast<bool>(carries[c.node]);
+  });
+  if (count == 0 || static_cast<std::size_t>(count) > kMostCarriers) return;
   PositionModes modes(sample.nodes.size(), PositionMode::Replace);
   for (const PositionGuess& guess : guesses) modes[guess.node] = guess.mode;
   File copy = sample;
   Motion motion = bvh::bind(std::move(copy), modes);
   motion.skeleton.up = up;
-  const auto axis = static_cast<Eigen::Index>(find_up_axis(motion).axis);
+  const UpAxis found = find_up_axis(motion);
+  if (found.certainty == Certainty::Doubtful) return;  // then nothing says where the ground is
+  const auto axis = static_cast<Eigen::Index>(found.axis);
   const WorldPoses poses =
       forward_kinematics(motion.skeleton, motion.clip, {.rotations = true, .tips = true});
   for (const Candidate& candidate : candidates) {

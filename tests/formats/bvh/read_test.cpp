@@ -222,6 +222,24 @@ TEST(BvhRead, AFarRootOrAFallIsNoReasonForDoubt) {
   EXPECT_EQ(codes(bvh_of_figure(bones, added)), std::vector<std::string>{"BVH035"});
 }
 
+TEST(BvhRead, ABoneThatMovesBelowATravellingRootIsJudgedAsABone) {
+  std::vector<Bone> bones = person();  // the root's OFFSET is 0 0 0
+  bones.push_back({"Jaw", 2, {0, 2, 1}, std::nullopt, true});
+  std::vector<std::vector<double>> rows;
+  for (int f = 0; f < 4; ++f) {
+    std::vector<double> row = row_of(bones, {0, 90, 3.0 * f});
+    row[row.size() - 6] = 0;
+    row[row.size() - 5] = 2 - 0.4 * f;
+    row[row.size() - 4] = 1;
+    rows.push_back(row);
+  }
+  const std::string text = bvh_of_figure(bones, rows);
+  EXPECT_EQ(codes(text), std::vector<std::string>{});
+  ReadOptions automatic;
+  automatic.of_formats = bvh::ReadOptions{bvh::PositionMode::Auto};
+  EXPECT_EQ(fact_of(*read_bvh(text, automatic).document, "positions"), "replace");
+}
+
 TEST(BvhRead, AMissingPositionComponentKeepsItsOffset) {
   std::string text = replaced(kGood, "OFFSET 0 0 0", "OFFSET 5 6 7");
   text = replaced(text, "CHANNELS 6 Xposition Yposition Zposition", "CHANNELS 4 Yposition");

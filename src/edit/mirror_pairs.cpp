@@ -164,22 +164,4 @@ Vec3 distances_of_pairs(const JointPlaces& places, const std::vector<std::size_t
   return distances;
 }
 
-std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
-                                        const std::vector<std::size_t>& pairs) {
-  constexpr double kApart = 1e-3;  // of the skeleton's size: nearer joints are at one place
-  const JointPlaces rest = rest_places(skeleton);
-  const double least = kApart * rest_size(skeleton);
-  std::vector<bool> is_in_limb(pairs.size(), false);
-  std::vector<std::size_t> on_trunk(pairs.size(), kNoParent);
-  for (std::size_t j = 0; j < pairs.size(); ++j) {
-    const std::size_t parent = skeleton.joints[j].parent;
-    is_in_limb[j] = parent != kNoParent && is_in_limb[parent];
-    if (is_in_limb[j] || pairs[j] == kNoParent || pairs[j] == j) continue;
-    if (!((rest.joints[j] - rest.joints[pairs[j]]).norm() > least)) continue;
-    is_in_limb[j] = true;
-    on_trunk[j] = pairs[j];
-  }
-  return on_trunk;
-}
-
 }  // namespace kinefile::edit

@@ -46,9 +46,4 @@ double asymmetry(const Skeleton& skeleton, const JointPlaces& places, const Vec3
 /// The sum of the distances between partners along each axis.
 Vec3 distances_of_pairs(const JointPlaces& places, const std::vector<std::size_t>& pairs);
 
-/// The pairs where limbs leave the trunk: those that are apart at rest, and not below other such
-/// pairs. Hips and shoulders show where left and right are; hands and feet swing.
-std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
-                                        const std::vector<std::size_t>& pairs);
-
 }  // namespace kinefile::edit

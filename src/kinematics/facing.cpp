@@ -9,31 +9,21 @@
 namespace kinefile {
 namespace {
 
-constexpr double kApart = 1e-3;  // of the skeleton's size: nearer joints are at one place
+constexpr double kApart = 1e-3;  // of the skeleton's size: shorter directions show nothing
 
-/// The left and the right joint of the pairs where limbs leave the trunk: those pairs that are
-/// apart at rest, and not below other such pairs.
+/// The left and the right joint of a pair where limbs leave the trunk.
 struct LimbPair {
   std::size_t left = 0;
   std::size_t right = 0;
 };
 
 std::vector<LimbPair> limb_pairs(const Skeleton& skeleton) {
-  const auto pairs = pairs_by_name(skeleton);
-  const WorldPoses rest = sampled_poses({skeleton, {}});
-  const double least = kApart * rest_size(skeleton);
-  std::vector<bool> is_in_limb(pairs.size(), false);
+  const auto pairs = pairs_on_trunk(skeleton, pairs_by_name(skeleton));
   std::vector<LimbPair> limbs;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
-    const std::size_t parent = skeleton.joints[j].parent;
-    is_in_limb[j] = parent != kNoParent && is_in_limb[parent];
-    const std::size_t other = pairs[j];
-    if (is_in_limb[j] || other == kNoParent) continue;
-    const Vec3 apart = joint_position(rest, 0, j) - joint_position(rest, 0, other);
-    if (!(apart.norm() > least)) continue;
-    is_in_limb[j] = true;
-    const bool is_left = is_left_of(skeleton.joints[j].name, skeleton.joints[other].name);
-    if (is_left) limbs.push_back({j, other});
+    if (pairs[j] == kNoParent) continue;
+    const bool is_left = is_left_of(skeleton.joints[j].name, skeleton.joints[pairs[j]].name);
+    if (is_left) limbs.push_back({j, pairs[j]});
   }
   return limbs;
 }

@@ -70,6 +70,25 @@ std::vector<Leg> find_legs(const Skeleton& skeleton) {
   return legs;
 }
 
+std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
+                                        const std::vector<std::size_t>& pairs) {
+  constexpr double kApart = 1e-3;  // of the skeleton's size: nearer joints are at one place
+  const WorldPoses rest = sampled_poses({skeleton, {}});
+  const double least = kApart * rest_size(skeleton);
+  std::vector<bool> is_in_limb(pairs.size(), false);
+  std::vector<std::size_t> on_trunk(pairs.size(), kNoParent);
+  for (std::size_t j = 0; j < pairs.size(); ++j) {
+    const std::size_t parent = skeleton.joints[j].parent;
+    is_in_limb[j] = parent != kNoParent && is_in_limb[parent];
+    if (is_in_limb[j] || pairs[j] == kNoParent || pairs[j] == j) continue;
+    const Vec3 apart = joint_position(rest, 0, j) - joint_position(rest, 0, pairs[j]);
+    if (!(apart.norm() > least)) continue;
+    is_in_limb[j] = true;
+    on_trunk[j] = pairs[j];
+  }
+  return on_trunk;
+}
+
 std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up) {
   constexpr double kDown = 0.7;  // the cosine of the largest angle
   const std::vector<Leg> legs = find_legs(skeleton);

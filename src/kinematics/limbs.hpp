@@ -19,6 +19,12 @@ struct Leg {
 /// The legs of a skeleton, found by the names of joints, in English and Japanese.
 std::vector<Leg> find_legs(const Skeleton& skeleton);
 
+/// The pairs of halves where limbs leave the trunk: those that are apart at rest, and not below
+/// other such pairs. Hips and shoulders show where left and right are; hands and feet swing.
+/// \param pairs  the partner of every joint; kNoParent, or itself, if it has none
+std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
+                                        const std::vector<std::size_t>& pairs);
+
 /// Whether the legs hang down along an axis in the rest pose; nothing if there are none.
 std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up);
 

@@ -6,6 +6,7 @@
 
 #include "kinefile/retime.hpp"
 #include "retime/feet.hpp"
+#include "support/figures.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
 
@@ -65,6 +66,19 @@ TEST(ContactWeights, TakesTheStandingFigureForAPerson) {
             "note[RTM006]: the motion has no unit of length; the figure, which stands 170 units "
             "high, is taken to be 1.7 m tall (--unit-in says otherwise)\n");
   expect_hop(weights_of(hopper(1, 0.001), {"RTM006"}));
+}
+
+TEST(ContactWeights, TakesTheUnitFromTheFramesWhereTheRestPoseIsFlat) {
+  // All bones are along x at rest, 16 units high; the figure stands 161 units high, on still feet.
+  const std::vector<test::Bone> bones = {
+      {"Hips", 0, {0, 0, 0}},       {"Spine", 1, {12, 2, 0}, Vec3(60, 0, 0)},
+      {"LeftLeg", 1, {-5, 0, 9}},   {"LeftFoot", 2, {-84, 0, 0}, Vec3(0, -14, 0)},
+      {"RightLeg", 1, {-5, 0, -9}}, {"RightFoot", 2, {-84, 0, 0}, Vec3(0, -14, 0)}};
+  std::vector<std::vector<double>> rows;
+  for (int f = 0; f < 60; ++f) rows.push_back(test::row_of(bones, {0.1 * f, 89, 0, 90}));
+  const Motion motion = test::motion_of(test::bvh_of_figure(bones, rows, 0.01));
+  const auto weights = weights_of(motion, {"RTM006"});
+  EXPECT_EQ(std::count(weights.begin(), weights.end(), 1.0), 60);
 }
 
 TEST(ContactWeights, UsesTheUnitOfTheMotion) {

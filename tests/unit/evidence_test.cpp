@@ -201,5 +201,18 @@ TEST(FindUpAxis, StaysWhatItWasWithinOneCommand) {
   EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{});
 }
 
+TEST(FindUpAxis, OfABodyMotionIsZWhateverItLooksLike) {
+  Component links;  // two links that lie apart along y, and travel along z
+  links.kind = ComponentKind::Poses;
+  links.content = kLinkPosition;
+  links.num_parts = 2;
+  links.num_frames = 2;
+  links.values = {0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0,
+                  0, 0, 5, 1, 0, 0, 0, 0, 2, 5, 1, 0, 0, 0};
+  const UpAxis up = find_up_axis(robot::motion_of_component(links));
+  EXPECT_EQ(up.axis, 2u);
+  EXPECT_EQ(up.certainty, Certainty::Known);
+}
+
 }  // namespace
 }  // namespace kinefile::test

@@ -133,7 +133,8 @@ TEST(Body, LengthsOfPrismaticJointsAreNoAngles) {
 TEST(Body, InfiniteLimitsAreNone) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto limits_of = [](const std::string& keys) {
-    const DegreeOfFreedom& dof = joint_b("    joint_type: revolute\n" + keys).dofs.at(0);
+    const Joint joint = joint_b("    joint_type: revolute\n" + keys);
+    const DegreeOfFreedom& dof = joint.dofs.at(0);
     return std::vector<double>{dof.lower, dof.upper, dof.max_speed};
   };
   for (const char* word : {"inf", "-inf", "Infinity", "1e999", ".inf", "-.Inf", "unlimited"}) {

@@ -9,7 +9,7 @@
 namespace kinefile {
 namespace {
 
-constexpr double kApart = 1e-3;  // of the skeleton's size: shorter directions show nothing
+constexpr double kShowsNothing = 1e-3;  // of the skeleton's size: shorter directions show nothing
 
 /// The left and the right joint of a pair where limbs leave the trunk.
 struct LimbPair {
@@ -44,7 +44,7 @@ Facing find_facing(const Motion& motion, std::size_t up, std::size_t frame) {
     leftwards += joint_position(poses, 0, limb.left) - joint_position(poses, 0, limb.right);
   }
   const Vec3 forward = leftwards.cross(Vec3::Unit(static_cast<Eigen::Index>(up)));
-  if (!(forward.norm() > kApart * rest_size(motion.skeleton))) {
+  if (!(forward.norm() > kShowsNothing * rest_size(motion.skeleton))) {
     return {std::nullopt, "left and right lie one above the other"};
   }
   const LimbPair& first = limbs.front();

@@ -124,7 +124,7 @@ void append_times(Clip& first, const Clip& second, std::size_t num_blend_frames)
   }
   const FrameTimes* own = std::get_if<FrameTimes>(
       has_own_times(first.timeline) ? &first.timeline.given : &second.timeline.given);
-  first.timeline.given = FrameTimes{std::move(times), own->per_second};
+  first.timeline.given = FrameTimes{times, own->per_second};
 }
 
 void append_rows(Clip& first, const Clip& second, std::size_t begin) {

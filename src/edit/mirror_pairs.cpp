@@ -81,7 +81,7 @@ JointPlaces places_of(const Skeleton& skeleton, const PoseArrays& poses, std::si
   JointPlaces places;
   for (std::size_t j = 0; j < num_joints; ++j) {
     const Vec3 root(&poses.positions[(row * num_joints + roots[j]) * 3]);
-    places.joints.push_back(Vec3(&poses.positions[(row * num_joints + j) * 3]) - root);
+    places.joints.emplace_back(Vec3(&poses.positions[(row * num_joints + j) * 3]) - root);
   }
   std::vector<double> counts(num_joints, 0);
   places.ends.assign(num_joints, Vec3::Zero());

@@ -261,7 +261,7 @@ Result<MirrorPlane> find_mirror_plane(const Motion& motion, std::optional<std::s
                                   *plane.frame, 100 * match.asymmetry));
     }
   }
-  if (moves && match.asymmetry > kSymmetric) {
+  if (match.num_paired > 0 && match.asymmetry > kSymmetric) {
     diagnostics.add(
         Severity::Warning, "EDT015",
         fmt::format("left and right differ by up to {:.2g} % of the skeleton's size, at "

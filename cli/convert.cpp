@@ -53,7 +53,7 @@ void add_convert(CLI::App& app, Globals& globals) {
   auto convert = std::make_shared<Convert>();
   CLI::App* command = app.add_subcommand("convert", "Write a file in another format");
   command->add_option("IN", convert->in, "File to read; - is standard input")->required();
-  command->add_option("OUT", convert->writing.out, "File to write; - is standard output")
+  command->add_option("-o,--out,OUT", convert->writing.out, "File to write; - is standard output")
       ->required();
   add_adapting_options(*command, convert->writing, convert->reading);
   add_writing_options(*command, convert->writing);

@@ -43,7 +43,8 @@ std::string argument_of(const CLI::Option& option) {
 std::vector<OptionText> options_of(const CLI::App& app) {
   std::vector<OptionText> options;
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty() || option->get_positional()) continue;
+    const bool has_name = !option->get_snames().empty() || !option->get_lnames().empty();
+    if (option->get_group().empty() || !has_name) continue;
     OptionText text;
     for (const std::string& name : option->get_snames()) text.names.push_back("-" + name);
     for (const std::string& name : option->get_lnames()) text.names.push_back("--" + name);
@@ -61,7 +62,7 @@ std::vector<CommandText> commands_of(const CLI::App& app) {
     CommandText text{command->get_name(), command->get_description(), {}, options_of(*command)};
     for (const CLI::Option* option : command->get_options()) {
       if (!option->get_positional()) continue;
-      text.positionals += " " + option->get_single_name();
+      text.positionals += " " + option->get_name(true);
       if (option->get_items_expected_max() > 1) text.positionals += "...";
     }
     commands.push_back(std::move(text));

@@ -37,7 +37,7 @@ UpAxis find_up_axis(const Motion& motion);
 
 /// As `find_up_axis`, for an operation that relies on the axis: a doubtful one gives a note
 /// (MOT005).
-std::size_t settle_up_axis(const Motion& motion, Diagnostics& diagnostics);
+UpAxis settle_up_axis(const Motion& motion, Diagnostics& diagnostics);
 
 /// A direction on the ground.
 struct Facing {

@@ -58,9 +58,10 @@ SkeletonInfo info_of(const Skeleton& skeleton) {
   return told;
 }
 
-EvidenceInfo evidence_of(const Motion& motion) {
+EvidenceInfo evidence_of(Motion motion) {
   EvidenceInfo told;
   told.up = find_up_axis(motion);
+  motion.skeleton.up = told.up.axis;  // what follows need not find it again
   told.facing = find_facing(motion, told.up.axis);
   told.unit = find_length_unit(motion);
   return told;

@@ -35,7 +35,7 @@ Result<Motion> turned_up(Motion motion, std::size_t usual, const KindOptions& op
                          Diagnostics& diagnostics) {
   const std::size_t up = options.up.value_or(usual);
   if (options.keeps_up) return motion;
-  motion.skeleton.up = settle_up_axis(motion, diagnostics);
+  motion.skeleton.up = settle_up_axis(motion, diagnostics).axis;
   if (motion.skeleton.up == up) return motion;
   diagnostics.add(Severity::Note, "CNV004",
                   fmt::format("the motion is turned so that {} points up (--up as-is leaves it)",

@@ -210,7 +210,7 @@ Motion scale(Motion motion, double factor) {
 }
 
 Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
-  const std::size_t before_axis = settle_up_axis(motion, diagnostics);
+  const std::size_t before_axis = settle_up_axis(motion, diagnostics).axis;
   motion.skeleton.up = axis;
   if (before_axis == axis) {
     diagnostics.add(Severity::Note, "EDT009",
@@ -230,7 +230,7 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
 
 Motion in_place(Motion motion, Diagnostics& diagnostics) {
   if (motion.skeleton.joints.empty()) return motion;
-  motion.skeleton.up = settle_up_axis(motion, diagnostics);
+  motion.skeleton.up = settle_up_axis(motion, diagnostics).axis;
   const auto up = static_cast<Eigen::Index>(*motion.skeleton.up);
   for (const Traveller& traveller : travellers_of(motion, find_travellers(motion))) {
     hold(traveller, up, motion.clip);

@@ -149,7 +149,7 @@ void tell_rounded_offsets(const Skeleton& first, const Skeleton& second, Diagnos
 
 /// The ground of two motions that are joined. If different joints carry them, the roots do.
 Ground ground_of(const Motion& first, const Motion& second, Diagnostics& diagnostics) {
-  Ground ground{settle_up_axis(first, diagnostics), find_travellers(first)};
+  Ground ground{settle_up_axis(first, diagnostics).axis, find_travellers(first)};
   if (ground.travellers == find_travellers(second)) return ground;
   ground.travellers.clear();
   for (std::size_t j = 0; j < first.skeleton.joints.size(); ++j) {

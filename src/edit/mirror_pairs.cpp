@@ -24,21 +24,17 @@ std::vector<std::size_t> roots_of_joints(const Skeleton& skeleton) {
   return roots;
 }
 
+/// A place reflected in the plane with a normal.
+Vec3 image_of(const Vec3& place, const Vec3& normal) {
+  return place - 2 * normal.dot(place) * normal;
+}
+
 /// Looks for partners in one pose.
 struct Matcher {
   const Skeleton& skeleton;
   const JointPlaces& places;
   Vec3 normal;
-  double size;
   std::vector<std::size_t> depths;
-
-  Vec3 image(const Vec3& place) const { return place - 2 * normal.dot(place) * normal; }
-
-  /// Whether another joint without a partner lies where a joint's image does.
-  bool has_other_there(std::size_t joint, const std::vector<std::size_t>& pairs,
-                       double distance) const {
-    return partner_of(joint, pairs, distance) != kNoParent;
-  }
 
   /// Two joints in the plane, such as hips at the root, are each other's halves if their ends are
   /// not in it.
@@ -48,8 +44,8 @@ struct Matcher {
     const Joint& own = skeleton.joints[joint];
     if (own.parent != kNoParent && has_side(own.name)) return false;
     const bool are_ends_in_plane =
-        std::abs(normal.dot(places.ends[joint])) <= std::max(distance, kEndsInPlane * size);
-    return are_ends_in_plane || !has_other_there(joint, pairs, distance);
+        std::abs(normal.dot(places.ends[joint])) <= std::max(distance, kEndsInPlane * places.size);
+    return are_ends_in_plane || partner_of(joint, pairs, distance) == kNoParent;
   }
 
   /// The joint without a partner that is nearest to the image of another.
@@ -58,8 +54,8 @@ struct Matcher {
     constexpr double kEndShare = 0.1;  // ends decide between joints at one place
     double best = std::numeric_limits<double>::infinity();
     std::size_t nearest = kNoParent;
-    const Vec3 place = image(places.joints[joint]);
-    const Vec3 end = image(places.ends[joint]);
+    const Vec3 place = image_of(places.joints[joint], normal);
+    const Vec3 end = image_of(places.ends[joint], normal);
     for (std::size_t j = 0; j < pairs.size(); ++j) {
       if (j == joint || pairs[j] != kNoParent || depths[j] != depths[joint]) continue;
       const double apart = (places.joints[j] - place).norm();
@@ -74,11 +70,13 @@ struct Matcher {
 
 }  // namespace
 
-JointPlaces places_of(const Skeleton& skeleton, const PoseArrays& poses, std::size_t row) {
+JointPlaces places_of(const Skeleton& skeleton, double size, const PoseArrays& poses,
+                      std::size_t row) {
   const std::size_t num_joints = skeleton.joints.size();
   const auto roots = roots_of_joints(skeleton);
   const auto first_tips = first_tips_of_joints(skeleton);
   JointPlaces places;
+  places.size = size;
   for (std::size_t j = 0; j < num_joints; ++j) {
     const Vec3 root(&poses.positions[(row * num_joints + roots[j]) * 3]);
     places.joints.emplace_back(Vec3(&poses.positions[(row * num_joints + j) * 3]) - root);
@@ -105,27 +103,27 @@ JointPlaces places_of(const Skeleton& skeleton, const PoseArrays& poses, std::si
 
 JointPlaces rest_places(const Skeleton& skeleton) {
   const WorldPoses poses = forward_kinematics(skeleton, rest_clip(skeleton), {.tips = true});
-  return places_of(skeleton, poses, 0);
+  return places_of(skeleton, rest_size(skeleton), poses, 0);
 }
 
 void pair_by_place(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
                    const PairTolerance& tolerance, std::vector<std::size_t>& pairs) {
-  const double size = rest_size(skeleton);
-  const Matcher matcher{skeleton, places, normal, size, depths_of(skeleton)};
+  const Matcher matcher{skeleton, places, normal, depths_of(skeleton)};
   const auto pair_in_plane = [&](double distance) {
     for (std::size_t j = 0; j < pairs.size(); ++j) {
       if (pairs[j] == kNoParent && matcher.is_in_plane(j, pairs, distance)) pairs[j] = j;
     }
   };
-  pair_in_plane(tolerance.strict * size);
+  pair_in_plane(tolerance.strict * places.size);
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] != kNoParent) continue;
-    const std::size_t other = matcher.partner_of(j, pairs, tolerance.near * size);
+    const std::size_t other = matcher.partner_of(j, pairs, tolerance.near * places.size);
     if (other == kNoParent) continue;
     pairs[j] = other;
     pairs[other] = j;
   }
-  pair_in_plane(tolerance.near * size);  // spines from motion capture are not exactly straight
+  pair_in_plane(tolerance.near *
+                places.size);  // spines from motion capture are not exactly straight
 }
 
 void pair_with_themselves(const Skeleton& skeleton, std::vector<std::size_t>& pairs) {
@@ -140,19 +138,17 @@ void pair_with_themselves(const Skeleton& skeleton, std::vector<std::size_t>& pa
   }
 }
 
-double asymmetry(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
+double asymmetry(const JointPlaces& places, const Vec3& normal,
                  const std::vector<std::size_t>& pairs) {
-  const Matcher matcher{skeleton, places, normal, 0, {}};
   double largest = 0;
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] == kNoParent) continue;
-    const double joint = (matcher.image(places.joints[j]) - places.joints[pairs[j]]).norm();
-    const double end = (matcher.image(places.ends[j]) - places.ends[pairs[j]]).norm();
+    const double joint = (image_of(places.joints[j], normal) - places.joints[pairs[j]]).norm();
+    const double end = (image_of(places.ends[j], normal) - places.ends[pairs[j]]).norm();
     if (!std::isfinite(joint + end)) return std::numeric_limits<double>::quiet_NaN();
     largest = std::max({largest, joint, end});
   }
-  const double size = rest_size(skeleton);
-  return size > 0 ? largest / size : 0;
+  return places.size > 0 ? largest / places.size : 0;
 }
 
 Vec3 distances_of_pairs(const JointPlaces& places, const std::vector<std::size_t>& pairs) {

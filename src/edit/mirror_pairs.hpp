@@ -13,10 +13,13 @@ namespace kinefile::edit {
 struct JointPlaces {
   std::vector<Vec3> joints;  ///< [joint]
   std::vector<Vec3> ends;    ///< [joint]: the mean of its tips and children; itself without any
+  double size = 0;           ///< of the skeleton (see `rest_size`)
 };
 
 /// The places in a row of poses, which have tips.
-JointPlaces places_of(const Skeleton& skeleton, const PoseArrays& poses, std::size_t row);
+/// \param size  of the skeleton
+JointPlaces places_of(const Skeleton& skeleton, double size, const PoseArrays& poses,
+                      std::size_t row);
 
 /// The places in the rest pose.
 JointPlaces rest_places(const Skeleton& skeleton);
@@ -40,7 +43,7 @@ void pair_with_themselves(const Skeleton& skeleton, std::vector<std::size_t>& pa
 
 /// How far the pairs are from being each other's mirror images: the largest distance, of the
 /// skeleton's size. NaN if a place is not finite.
-double asymmetry(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
+double asymmetry(const JointPlaces& places, const Vec3& normal,
                  const std::vector<std::size_t>& pairs);
 
 /// The sum of the distances between partners along each axis.

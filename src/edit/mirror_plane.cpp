@@ -41,7 +41,7 @@ Match match_of(const Skeleton& skeleton, const JointPlaces& places, const Vec3& 
     if (is_lonely && !skeleton.joints[j].dofs.empty()) ++match.num_lonely;
     if (!is_lonely && match.pairs[j] != j) ++match.num_paired;
   }
-  match.asymmetry = asymmetry(skeleton, places, normal, match.pairs);
+  match.asymmetry = asymmetry(places, normal, match.pairs);
   return match;
 }
 
@@ -113,20 +113,10 @@ std::optional<Vec3> direction_between(const JointPlaces& places, const Skeleton&
   return sum.normalized();
 }
 
-/// The number of joints below every joint, itself included.
-std::vector<std::size_t> sizes_of_subtrees(const Skeleton& skeleton) {
-  std::vector<std::size_t> sizes(skeleton.joints.size(), 1);
-  for (std::size_t j = sizes.size(); j-- > 0;) {
-    const std::size_t parent = skeleton.joints[j].parent;
-    if (parent != kNoParent) sizes[parent] += sizes[j];
-  }
-  return sizes;
-}
-
 /// Without names: siblings with equally many joints below them, which may be halves.
 std::vector<std::array<std::size_t, 2>> possible_halves(const Skeleton& skeleton) {
   constexpr std::size_t kMost = 10;
-  const auto sizes = sizes_of_subtrees(skeleton);
+  const auto sizes = subtree_sizes(skeleton);
   std::vector<std::array<std::size_t, 2>> halves;
   for (const std::vector<std::size_t>& siblings : children_of_joints(skeleton)) {
     for (std::size_t i = 0; i + 1 < siblings.size() && halves.size() < kMost; ++i) {
@@ -182,9 +172,10 @@ std::optional<FrameMatch> match_in_frames(const Motion& motion, std::size_t up,
   const auto on_trunk = pairs_on_trunk(skeleton, by_name);
   std::optional<FrameMatch> best;
   const auto halves = possible_halves(skeleton);
+  const double size = rest_size(skeleton);
   const std::size_t count = num_tried(poses.num_frames, skeleton.joints.size());
   for (std::size_t row = 0; row < count; ++row) {
-    const JointPlaces places = places_of(skeleton, poses, row);
+    const JointPlaces places = places_of(skeleton, size, poses, row);
     std::vector<Vec3> directions;
     if (!has_pairs(by_name)) {
       directions = possible_directions(places, halves, up);
@@ -213,9 +204,10 @@ std::size_t world_axis_of(const Motion& motion, const std::vector<std::size_t>& 
   if (motion.clip.num_frames == 0) return first;
   const auto on_trunk = pairs_on_trunk(motion.skeleton, pairs);
   const WorldPoses poses = sampled_poses(motion);
+  const double size = rest_size(motion.skeleton);
   Vec3 distances = Vec3::Zero();
   for (std::size_t row = 0; row < poses.num_frames; ++row) {
-    const Vec3 in_row = distances_of_pairs(places_of(motion.skeleton, poses, row), on_trunk);
+    const Vec3 in_row = distances_of_pairs(places_of(motion.skeleton, size, poses, row), on_trunk);
     if (in_row.allFinite()) distances += in_row;
   }
   const double along = distances[static_cast<Eigen::Index>(first)];
@@ -227,8 +219,8 @@ std::size_t world_axis_of(const Motion& motion, const std::vector<std::size_t>& 
 Result<MirrorPlane> find_mirror_plane(const Motion& motion, std::optional<std::size_t> axis,
                                       Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
-  UpAxis up = find_up_axis(motion);
-  if (!axis) up.axis = settle_up_axis(motion, diagnostics);
+  // Only the choice of an axis relies on which one points up.
+  const UpAxis up = axis ? find_up_axis(motion) : settle_up_axis(motion, diagnostics);
   if (axis == up.axis && up.certainty != Certainty::Doubtful) {
     return fail(ErrorKind::Usage, "EDT004",
                 fmt::format("a mirror whose normal is {}, which points up, puts the figure on its "

@@ -50,24 +50,46 @@ bool is_called_foot(const std::string& name) {
          has_word(lower, "\u8db3");
 }
 
-std::vector<Leg> find_legs(const Skeleton& skeleton) {
-  const std::size_t num_joints = skeleton.joints.size();
-  std::vector<bool> is_leg(num_joints);
-  std::vector<bool> has_leg_below(num_joints);
-  for (std::size_t j = num_joints; j-- > 0;) {  // children before their parents
-    is_leg[j] = is_called_leg(skeleton.joints[j].name);
+std::vector<std::size_t> subtree_sizes(const Skeleton& skeleton) {
+  std::vector<std::size_t> sizes(skeleton.joints.size(), 1);
+  for (std::size_t j = sizes.size(); j-- > 0;) {  // children before their parents
     const std::size_t parent = skeleton.joints[j].parent;
-    if (parent != kNoParent && (is_leg[j] || has_leg_below[j])) has_leg_below[parent] = true;
+    if (parent != kNoParent) sizes[parent] += sizes[j];
   }
+  return sizes;
+}
+
+std::vector<std::size_t> last_of_kind(const Skeleton& skeleton,
+                                      const std::vector<bool>& is_of_kind) {
+  std::vector<bool> has_one_below(is_of_kind.size());
+  for (std::size_t j = is_of_kind.size(); j-- > 0;) {  // children before their parents
+    const std::size_t parent = skeleton.joints[j].parent;
+    if (parent != kNoParent && (is_of_kind[j] || has_one_below[j])) has_one_below[parent] = true;
+  }
+  std::vector<std::size_t> last;
+  for (std::size_t j = 0; j < is_of_kind.size(); ++j) {
+    if (is_of_kind[j] && !has_one_below[j]) last.push_back(j);
+  }
+  return last;
+}
+
+std::vector<Leg> find_legs(const Skeleton& skeleton) {
+  std::vector<bool> is_leg;
+  for (const Joint& joint : skeleton.joints) is_leg.push_back(is_called_leg(joint.name));
   std::vector<Leg> legs;
   // A prefix that all names have says nothing.
   if (std::find(is_leg.begin(), is_leg.end(), false) == is_leg.end()) return legs;
   const auto first_tips = first_tips_of_joints(skeleton);
-  for (std::size_t j = 0; j < num_joints; ++j) {
-    if (!is_leg[j] || has_leg_below[j]) continue;
-    if (const auto leg = leg_to(skeleton, is_leg, first_tips, j)) legs.push_back(*leg);
+  for (const std::size_t bottom : last_of_kind(skeleton, is_leg)) {
+    if (const auto leg = leg_to(skeleton, is_leg, first_tips, bottom)) legs.push_back(*leg);
   }
   return legs;
+}
+
+Vec3 direction_of(const Leg& leg, const PoseArrays& poses, std::size_t row) {
+  const Vec3 bottom =
+      leg.tip ? tip_position(poses, row, *leg.tip) : joint_position(poses, row, leg.bottom);
+  return (joint_position(poses, row, leg.top) - bottom).normalized();
 }
 
 std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
@@ -95,11 +117,7 @@ std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up) {
   if (legs.empty()) return std::nullopt;
   const WorldPoses rest = sampled_poses({skeleton, {}});
   Vec3 sum = Vec3::Zero();
-  for (const Leg& leg : legs) {
-    const Vec3 bottom =
-        leg.tip ? tip_position(rest, 0, *leg.tip) : joint_position(rest, 0, leg.bottom);
-    sum += (joint_position(rest, 0, leg.top) - bottom).normalized();
-  }
+  for (const Leg& leg : legs) sum += direction_of(leg, rest, 0);
   return sum[static_cast<Eigen::Index>(up)] > kDown * static_cast<double>(legs.size());
 }
 

@@ -16,6 +16,14 @@ struct Leg {
   std::optional<std::size_t> tip = std::nullopt;  ///< instead of `bottom`, a tip (of all joints)
 };
 
+/// The number of joints below every joint, itself included; shape (joints).
+std::vector<std::size_t> subtree_sizes(const Skeleton& skeleton);
+
+/// The joints of a kind that have none of it below them, in skeleton order.
+/// \param is_of_kind  shape (joints)
+std::vector<std::size_t> last_of_kind(const Skeleton& skeleton,
+                                      const std::vector<bool>& is_of_kind);
+
 /// The legs of a skeleton, found by the names of joints, in English and Japanese.
 std::vector<Leg> find_legs(const Skeleton& skeleton);
 
@@ -27,6 +35,9 @@ std::vector<std::size_t> pairs_on_trunk(const Skeleton& skeleton,
 
 /// Whether the legs hang down along an axis in the rest pose; nothing if there are none.
 std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up);
+
+/// The unit vector from a leg's lower end to its upper one; zero if it has no length.
+Vec3 direction_of(const Leg& leg, const PoseArrays& poses, std::size_t row);
 
 /// Whether a name is that of a foot or a part of it.
 bool is_called_foot(const std::string& name);

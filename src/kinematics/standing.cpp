@@ -49,11 +49,9 @@ double range_of(const Joint& joint, const Clip& clip) {
   return std::max((box.max - box.min).maxCoeff(), 0.0);
 }
 
-/// Whether a joint stays where it is but for an exporter's last digits.
-bool is_still(const Joint& joint, const Motion& motion, double size) {
-  constexpr double kMostShift = 1e-3;  // of the skeleton's size
-  constexpr double kMostTurn = 2e-3;   // radians
-  if (range_of(joint, motion.clip) > kMostShift * size) return false;
+/// Whether a joint keeps its rotation but for an exporter's last digits.
+bool keeps_its_rotation(const Joint& joint, const Motion& motion) {
+  constexpr double kMostTurn = 2e-3;  // radians
   const auto rotations = rotations_of(joint);
   if (rotations.empty()) return true;
   const AngleUnit unit = motion.skeleton.angle_unit;
@@ -65,15 +63,6 @@ bool is_still(const Joint& joint, const Motion& motion, double size) {
     if (angle_between(*first, turned) > kMostTurn) return false;
   }
   return true;
-}
-
-/// The number of joints below each joint, itself included.
-std::vector<std::size_t> sizes_below(const std::vector<Joint>& joints) {
-  std::vector<std::size_t> sizes(joints.size(), 1);
-  for (std::size_t j = sizes.size(); j-- > 0;) {
-    if (joints[j].parent != kNoParent) sizes[joints[j].parent] += sizes[j];
-  }
-  return sizes;
 }
 
 }  // namespace
@@ -105,12 +94,12 @@ LengthUnit find_length_unit(const Motion& motion) {
 }
 
 std::vector<std::size_t> find_travellers(const Motion& motion) {
-  constexpr double kTravel = 0.1;
-  constexpr std::size_t kLeastPart =
-      4;  // a ball beside a figure carries nobody: at least a quarter
+  constexpr double kTravel = 0.1;        // of the skeleton's size
+  constexpr double kNoise = 1e-3;        // likewise: an exporter's last digits
+  constexpr std::size_t kLeastPart = 4;  // a quarter: a ball beside a figure carries nobody
   const std::vector<Joint>& joints = motion.skeleton.joints;
   const double size = rest_size(motion.skeleton);
-  const auto sizes = sizes_below(joints);
+  const auto sizes = subtree_sizes(motion.skeleton);
   std::vector<bool> is_below_still_root(joints.size(), false);
   std::vector<std::size_t> root_of(joints.size(), kNoParent);
   std::vector<bool> has_traveller(joints.size(), false);
@@ -121,10 +110,10 @@ std::vector<std::size_t> find_travellers(const Motion& motion) {
     root_of[j] = is_root ? j : root_of[parent];
     const bool is_reached = is_root || is_below_still_root[parent];
     if (!is_reached) continue;
-    is_below_still_root[j] = is_still(joints[j], motion, size);
+    const double range = range_of(joints[j], motion.clip);
+    is_below_still_root[j] = !(range > kNoise * size) && keeps_its_rotation(joints[j], motion);
     const bool is_large = kLeastPart * sizes[j] >= sizes[root_of[j]];
-    if (is_below_still_root[j] || !is_large) continue;
-    if (!(range_of(joints[j], motion.clip) > kTravel * size)) continue;
+    if (is_below_still_root[j] || !is_large || !(range > kTravel * size)) continue;
     travellers.push_back(j);
     has_traveller[root_of[j]] = true;
   }

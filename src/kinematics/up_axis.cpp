@@ -37,9 +37,7 @@ Eigen::Array3d strength_of_legs(const WorldPoses& poses, const std::vector<Leg>&
   double count = 0;
   for (std::size_t f = 0; f < poses.num_frames; ++f) {
     for (const Leg& leg : legs) {
-      const Vec3 bottom =
-          leg.tip ? tip_position(poses, f, *leg.tip) : joint_position(poses, f, leg.bottom);
-      const Vec3 direction = (joint_position(poses, f, leg.top) - bottom).normalized();
+      const Vec3 direction = direction_of(leg, poses, f);
       if (!direction.allFinite() || direction.isZero()) continue;
       sum += direction;
       ++count;
@@ -173,7 +171,7 @@ UpAxis find_up_axis(const Motion& motion) {
   return up;
 }
 
-std::size_t settle_up_axis(const Motion& motion, Diagnostics& diagnostics) {
+UpAxis settle_up_axis(const Motion& motion, Diagnostics& diagnostics) {
   const UpAxis up = find_up_axis(motion);
   if (up.certainty == Certainty::Doubtful && !motion.skeleton.joints.empty()) {
     diagnostics.add(Severity::Note, "MOT005",
@@ -181,7 +179,7 @@ std::size_t settle_up_axis(const Motion& motion, Diagnostics& diagnostics) {
                                 "which axis does)",
                                 "xyz"[up.axis], up.reason));
   }
-  return up.axis;
+  return up;
 }
 
 }  // namespace kinefile

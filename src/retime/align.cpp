@@ -86,7 +86,7 @@ std::vector<FramePair> align_frames(const Motion& reference, const Motion& motio
   const auto points = [&](const Motion& one, const Motion& other,
                           const std::vector<std::size_t>& joints) {
     return points_of_frames(one, joints, length_scale(one, other),
-                            settle_up_axis(one, diagnostics));
+                            settle_up_axis(one, diagnostics).axis);
   };
   return align(points(reference, motion, shared.first), points(motion, reference, shared.second));
 }

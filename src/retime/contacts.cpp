@@ -92,7 +92,7 @@ Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& d
                            "ball), found none"));
   }
   const FootTracks tracks = track_feet(motion, points);
-  const std::size_t up = settle_up_axis(motion, diagnostics);
+  const std::size_t up = settle_up_axis(motion, diagnostics).axis;
   const double metres = metres_per_unit(motion, up, diagnostics);
   std::vector<double> weights(motion.clip.num_frames, 0.0);
   for (const auto& track : tracks.positions) {

@@ -10,18 +10,11 @@
 namespace kinefile::retime {
 
 std::vector<FootPoint> find_foot_points(const Skeleton& skeleton) {
-  const std::size_t num_joints = skeleton.joints.size();
-  std::vector<bool> is_foot(num_joints);
-  std::vector<bool> has_foot_below(num_joints);
-  for (std::size_t j = num_joints; j-- > 0;) {  // children before their parents
-    is_foot[j] = is_called_foot(skeleton.joints[j].name);
-    const std::size_t parent = skeleton.joints[j].parent;
-    if (parent != kNoParent && (is_foot[j] || has_foot_below[j])) has_foot_below[parent] = true;
-  }
+  std::vector<bool> is_foot;
+  for (const Joint& joint : skeleton.joints) is_foot.push_back(is_called_foot(joint.name));
   const auto first_tips = first_tips_of_joints(skeleton);
   std::vector<FootPoint> points;
-  for (std::size_t j = 0; j < num_joints; ++j) {
-    if (!is_foot[j] || has_foot_below[j]) continue;
+  for (const std::size_t j : last_of_kind(skeleton, is_foot)) {
     points.push_back({j, false, 0});
     const std::size_t num_own_tips = skeleton.joints[j].tips.size();
     for (std::size_t t = 0; t < num_own_tips; ++t) points.push_back({j, true, first_tips[j] + t});

@@ -80,7 +80,7 @@ TEST(FindUpAxis, ADoubtfulOneIsTold) {
   const Motion motion =
       motion_of(bvh_of_figure({{"a", 0, {0, 0, 0}, Vec3(0, 1, 1)}}, {{0, 0, 0, 0, 0, 0}}));
   Diagnostics diagnostics;
-  EXPECT_EQ(settle_up_axis(motion, diagnostics), 1u);
+  EXPECT_EQ(settle_up_axis(motion, diagnostics).axis, 1u);
   EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"MOT005"});
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the includes of src/, cli/, include/ and examples/ to the table of layers in
+"""Holds the includes of src/, cli/, wasm/, include/ and examples/ to the table of layers in
 docs/design/layers.md: an include that is not in this table does not exist. Looks for names of
 formats outside src/formats/: what a format is, its own struct says."""
 
@@ -33,6 +33,7 @@ LAYERS = {
     "io": ["base", "text", "model", "registry"],
     "document": _BELOW_OPERATIONS + OPERATIONS + ["text", "registry", "io"],
     "all": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io"],
+    "wasm": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io", "all"],
     "cli": _BELOW_OPERATIONS + OPERATIONS + ["format", "registry", "document", "io", "all"],
 }
 
@@ -46,16 +47,16 @@ PUBLIC = {
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",
     "servo_map": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
-    "anomalies": "kinematics", "limits": "kinematics", "evidence": "kinematics",
+    "anomalies": "kinematics", "joint_curves": "kinematics", "limits": "kinematics", "evidence": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
     "servo": "servo", "operation": "model", "process": "document", "convert": "document",
-    "check": "document", "place": "document", "info": "document", "fk": "document",
+    "check": "document", "marks": "document", "place": "document", "info": "document", "fk": "document",
     "differences": "document", "run": "document", "retime_documents": "document", "io": "io", "kinefile": "all",
 }
 
 # Third-party headers that public headers may show, and what only some layers may use.
 PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
-ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli"}
+ONLY_IN = {"hwy/": ("simd",), "fast_float/": ("text",), "CLI/": ("cli",), "nlohmann/": ("cli", "wasm")}
 # Of a format, the one that may use it.
 ONLY_IN_FORMAT = {"tinyxml2.h": "urdf"}
 DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")
@@ -71,6 +72,8 @@ def layer_of_file(path):
     parts = path.relative_to(ROOT).parts
     if parts[0] == "include":
         return PUBLIC[path.stem], None
+    if parts[0] == "wasm":
+        return "wasm", None
     if parts[0] in ("cli", "examples"):
         return "cli", None
     if parts[1] == "formats":
@@ -88,7 +91,7 @@ def faults_of(path):
             if target is None:
                 yield f"{name} is not in the table of public headers"
                 continue
-        elif bracket == '"' and layer != "cli":
+        elif bracket == '"' and layer not in ("cli", "wasm"):
             parts = name.split("/")
             target = parts[0]
             if target == "formats":
@@ -98,8 +101,8 @@ def faults_of(path):
                     yield f"a format includes another: {name}"
         else:
             for prefix, only in ONLY_IN.items():
-                if name.startswith(prefix) and layer != only:
-                    yield f"{name} belongs to {only}"
+                if name.startswith(prefix) and layer not in only:
+                    yield f"{name} belongs to {' and '.join(only)}"
             if own_format != ONLY_IN_FORMAT.get(name, own_format):
                 yield f"{name} belongs to format {ONLY_IN_FORMAT[name]}"
             if bracket == "<" and name in DISK_HEADERS and layer not in ("io", "cli"):
@@ -124,7 +127,7 @@ def named_formats_of(path):
 
 
 def main():
-    folders = ("include", "src", "cli", "examples")
+    folders = ("include", "src", "cli", "wasm", "examples")
     paths = [p for folder in folders for p in sorted((ROOT / folder).rglob("*.?pp"))]
     faults = [f"{path.relative_to(ROOT)}: {fault}" for path in paths
               for check in (faults_of, named_formats_of) for fault in check(path)]

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Starts the page: first what can be seen, then the core and the scene.
+import {makeActions} from './actions.ts';
+import {startCore} from './core/core.ts';
+import {byId} from './elements.ts';
+import {carriedFiles, chosenFiles, droppedFiles} from './files.ts';
+import {makeMotionList} from './panels/motions.ts';
+import {makeTransport} from './panels/transport.ts';
+import {runPlayback} from './playback.ts';
+import {makePoseCache} from './poses.ts';
+import {makeScene, type Scene} from './scene/scene.ts';
+import {makeStore} from './state.ts';
+import {fillWords, preferredLanguage, setLanguage, t, type Word} from './words.ts';
+
+const store = makeStore({
+  motions: [],
+  active: 0,
+  joint: -1,
+  files: [],
+  seconds: 0,
+  isPlaying: false,
+  speed: 1,
+  loop: null,
+  camera: 'orbit',
+  shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
+  language: preferredLanguage(),
+  busy: 'starting',
+  message: '',
+});
+
+store.on(['language'], ({language}) => {
+  setLanguage(language);
+  fillWords();
+});
+store.on(['busy', 'message', 'language'], ({busy, message}) => {
+  const status = byId('status');
+  status.textContent = message || (busy ? t(busy as Word) : '');
+  status.className = message ? 'error' : '';
+});
+
+/** Resolves when the browser has painted what is there. */
+const painted = () =>
+  new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+
+async function start(): Promise<void> {
+  const [core, carried] = await Promise.all([startCore(), carriedFiles(), painted()]);
+  let scene: Scene | null = null;
+  const poses = makePoseCache(core, () => scene?.invalidate());
+  const actions = makeActions(core, store);
+  makeMotionList(store, actions);
+  makeTransport(store);
+  runPlayback(store);
+  scene = makeScene(byId('canvas'), store, poses);
+  store.set({busy: ''});
+
+  for (const {path, bytes} of carried.files) await core.addFile(path, bytes);
+  for (const {path, ...like} of carried.open) await actions.openPath(path, like);
+
+  for (const id of ['choose-files', 'choose-folder']) {
+    const input = byId<HTMLInputElement>(id);
+    input.addEventListener('change', async () => {
+      if (input.files) await actions.openFiles(await chosenFiles(input.files));
+      input.value = '';
+    });
+  }
+  document.addEventListener('dragover', (event) => event.preventDefault());
+  document.addEventListener('drop', async (event) => {
+    event.preventDefault();
+    if (event.dataTransfer) await actions.openFiles(await droppedFiles(event.dataTransfer.items));
+  });
+}
+
+start().catch((fault) => store.set({busy: '', message: String(fault)}));

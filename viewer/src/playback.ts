@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Time that runs: play, pause, speed, loop, steps.
+import {activeMotion, type Store} from './state.ts';
+import {numFrames, secondsOf, shownFrame, wholeRange} from './times.ts';
+
+export const kLeastSpeed = 0.1;
+export const kMostSpeed = 4;
+
+/** The range that plays: the loop if there is one, otherwise everything. */
+export const playedRange = (store: Store): [number, number] =>
+  store.state.loop ?? wholeRange(store.state);
+
+/** Lets time run while the page plays. */
+export function runPlayback(store: Store): void {
+  let last = 0;
+  const advance = (now: number) => {
+    if (!store.state.isPlaying) return;
+    const {seconds, speed} = store.state;
+    const [begin, end] = playedRange(store);
+    let next = seconds + ((now - last) / 1000) * speed;
+    if (next > end || next < begin) next = begin;
+    last = now;
+    store.set({seconds: next});
+    requestAnimationFrame(advance);
+  };
+  store.on(['isPlaying'], ({isPlaying}) => {
+    if (!isPlaying) return;
+    last = performance.now();
+    requestAnimationFrame(advance);
+  });
+}
+
+/** Shows a frame of the active motion. */
+export function goToFrame(store: Store, frame: number): void {
+  const motion = activeMotion(store.state);
+  if (motion === undefined) return;
+  const last = numFrames(motion.document.time) - 1;
+  store.set({isPlaying: false, seconds: secondsOf(motion, Math.max(0, Math.min(last, frame)))});
+}
+
+/** Steps by frames of the active motion. */
+export function step(store: Store, frames: number): void {
+  const motion = activeMotion(store.state);
+  if (motion !== undefined) goToFrame(store, shownFrame(motion, store.state.seconds) + frames);
+}
+
+export function setSpeed(store: Store, speed: number): void {
+  store.set({speed: Math.max(kLeastSpeed, Math.min(kMostSpeed, speed))});
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Which frame is shown at a time. Frames count from 0.
+import type {Time} from './core/types.ts';
+import type {OpenMotion, State} from './state.ts';
+
+/** Rounding must not turn the time of a frame into the frame before it. */
+const kRounding = 1e-6;
+
+/** The number of frames that can be shown: a still skeleton has one. */
+export const numFrames = (time: Time): number => (time.is_still ? 1 : time.num_frames);
+
+/** The time of a frame, from the first frame of its motion. */
+export const timeOfFrame = (time: Time, frame: number): number =>
+  time.own_times === null ? frame * time.frame_time : time.own_times[frame] - time.own_times[0];
+
+/** The last frame at or before a time, within the motion. */
+export function frameAt(time: Time, seconds: number): number {
+  const last = numFrames(time) - 1;
+  if (time.own_times === null) {
+    const frame = Math.floor(seconds / time.frame_time + kRounding);
+    return Math.max(0, Math.min(last, frame));
+  }
+  let low = 0;
+  let high = last;
+  while (low < high) {
+    const middle = Math.ceil((low + high) / 2);
+    if (timeOfFrame(time, middle) <= seconds + kRounding * time.frame_time) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** The frame of a motion that the page shows now. */
+export const shownFrame = (motion: OpenMotion, seconds: number): number =>
+  frameAt(motion.document.time, seconds - motion.offset);
+
+/** The time, in the page, at which a motion shows a frame. */
+export const secondsOf = (motion: OpenMotion, frame: number): number =>
+  motion.offset + timeOfFrame(motion.document.time, frame);
+
+/** From the first start to the last end of all motions, in seconds. */
+export function wholeRange(state: Readonly<State>): [number, number] {
+  let first = Infinity;
+  let last = -Infinity;
+  for (const motion of state.motions) {
+    first = Math.min(first, motion.offset);
+    last = Math.max(last, motion.offset + Number(motion.document.time.duration));
+  }
+  return first <= last ? [first, last] : [0, 0];
+}

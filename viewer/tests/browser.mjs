@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the page share: Debian's Chromium, the page, files.
+import {execFileSync} from 'node:child_process';
+import {mkdirSync} from 'node:fs';
+import {dirname, join, resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const page = join(root, 'build/web/page.html');
+export const kinefile = process.env.KINEFILE ?? join(root, 'build/release/kinefile');
+/** Real files, which tests use where they are there. */
+export const data = process.env.KINEFILE_TEST_DATA ?? join(root, '../shared/data');
+/** Where screenshots and files of a test go. */
+export const out = join(root, 'build/viewer-tests');
+mkdirSync(out, {recursive: true});
+
+export const phone = {
+  viewport: {width: 390, height: 844},
+  deviceScaleFactor: 2,
+  isMobile: true,
+  hasTouch: true,
+  colorScheme: 'dark',
+  locale: 'ja-JP',
+};
+
+/** Software rendering, and no connection to anywhere. */
+export const launch = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: [
+      '--no-sandbox',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+    ],
+  });
+
+/** Opens a page of a browser; every error of its console fails the test that reads `faults`. */
+export async function openPage(browser, options = {}, file = page, hash = '') {
+  const context = await browser.newContext({viewport: {width: 1280, height: 760}, ...options});
+  const tab = await context.newPage();
+  const faults = [];
+  tab.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
+  tab.on('pageerror', (fault) => faults.push(String(fault)));
+  await tab.goto(pathToFileURL(file).href + hash);
+  return {tab, context, faults};
+}
+
+/** Drops files and folders of the disk onto the page, as a person does. */
+export async function drop(tab, files, x = 400, y = 300) {
+  const session = await tab.context().newCDPSession(tab);
+  const data = {items: [], files, dragOperationsMask: 1};
+  for (const type of ['dragEnter', 'dragOver', 'drop']) {
+    await session.send('Input.dispatchDragEvent', {type, x, y, data});
+  }
+}
+
+/** Runs the command. */
+export const run = (...words) => execFileSync(kinefile, words, {encoding: 'utf8'});

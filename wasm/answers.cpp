@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "answers.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "describe.hpp"
+#include "kinefile/check.hpp"
+#include "kinefile/io.hpp"
+#include "kinefile/joint_curves.hpp"
+#include "kinefile/marks.hpp"
+#include "kinefile/process.hpp"
+#include "kinefile/retime.hpp"
+#include "opening.hpp"
+
+namespace kinefile::page {
+namespace {
+
+/// The place of numbers or bytes in the module's memory.
+template <class T>
+Json place_of(const T* data, std::size_t size) {
+  return {{"at", reinterpret_cast<std::uintptr_t>(data)}, {"size", size}};
+}
+
+Json as_floats(Held& held, const Array<double>& values) {
+  Array<float> floats(values.size());
+  const std::span<float> out = floats.mutate();
+  std::transform(values.begin(), values.end(), out.begin(),
+                 [](double value) { return static_cast<float>(value); });
+  held.floats.push_back(std::move(floats));
+  return place_of(held.floats.back().data(), values.size());
+}
+
+Json as_doubles(Held& held, Array<double> values) {
+  held.doubles.push_back(std::move(values));
+  return place_of(held.doubles.back().data(), held.doubles.back().size());
+}
+
+Json failure(const Error& error, const Diagnostics& diagnostics) {
+  return {{"error", json_of(static_cast<const Diagnostic&>(error))},
+          {"diagnostics", json_of(diagnostics)}};
+}
+
+/// The failure of a question that does not fit.
+Json refusal(const char* message) {
+  return failure(make_error(ErrorKind::Usage, "CLI001", message), {});
+}
+
+Slot* slot_of(Session& session, const Json& question) {
+  const auto found = session.slots.find(question.value("handle", 0));
+  return found == session.slots.end() ? nullptr : &found->second;
+}
+
+std::size_t count_of(const Json& question, const char* key, std::size_t most) {
+  const double given = question.value(key, 0.0);
+  return given > 0 ? static_cast<std::size_t>(std::min(given, static_cast<double>(most))) : 0;
+}
+
+Opening opening_of(const Json& question) {
+  return {.path = text_of(question, "path"),
+          .from = text_of(question, "from"),
+          .skeleton = text_of(question, "skeleton"),
+          .servo_map = text_of(question, "servo_map"),
+          .project = text_of(question, "project"),
+          .options = question.value("options", Json::object())};
+}
+
+/// Opens one file, or opens it again in place of a document: {"path", "skeleton", "servo_map",
+/// "project", "options", "handle"}.
+Json open_file(Session& session, const Json& question) {
+  Diagnostics diagnostics;
+  auto slot = open(session, opening_of(question), diagnostics);
+  if (!slot) return failure(slot.error(), diagnostics);
+  const int given = question.value("handle", 0);
+  const int handle = given != 0 ? given : session.next_handle++;
+  session.slots.insert_or_assign(handle, std::move(*slot));
+  return {{"handle", handle},
+          {"document", describe(session.slots.at(handle))},
+          {"diagnostics", json_of(diagnostics)}};
+}
+
+/// Opens several files: {"paths", "most"}.
+Json open_files(Session& session, const Json& question) {
+  const auto paths = question.value("paths", std::vector<std::string>());
+  std::vector<std::string> known;
+  for (const std::string& path : paths) {
+    if (session.files.contains(path)) known.push_back(path);
+  }
+  constexpr const char* kWhats[] = {"document", "companion", "waiting", "fault", "unknown"};
+  Json opened = Json::array();
+  for (const Opened& one : open_all(session, std::move(known), question.value("most", 8u))) {
+    Json json = {{"path", one.path},
+                 {"what", kWhats[static_cast<std::size_t>(one.what)]},
+                 {"format", one.format},
+                 {"diagnostics", json_of(one.diagnostics)}};
+    json["handle"] = one.handle;
+    opened.push_back(std::move(json));
+  }
+  Json documents = Json::array();
+  for (const auto& [handle, slot] : session.slots) {
+    documents.push_back({{"handle", handle}, {"document", describe(slot)}});
+  }
+  return {{"opened", std::move(opened)}, {"documents", std::move(documents)}};
+}
+
+Json close(Session& session, const Json& question) {
+  session.slots.erase(question.value("handle", 0));
+  return Json::object();
+}
+
+/// {"handle", "steps"}: see `apply_steps`.
+Json edit(Session& session, Slot& slot, const Json& question) {
+  Diagnostics diagnostics;
+  const auto applied =
+      apply_steps(session, slot, question.value("steps", Json::array()), diagnostics);
+  if (!applied) return failure(applied.error(), diagnostics);
+  return {{"document", describe(slot)}, {"diagnostics", json_of(diagnostics)}};
+}
+
+/// {"handle", "first", "count"}: positions [frame][joint][3], rotations [frame][joint][4] as
+/// w x y z, tips [frame][tip][3], as floats in the file's unit of length.
+Json poses(Held& held, const Slot& slot, const Json& question) {
+  const std::size_t num_frames = slot.table.frames.num_frames();
+  const std::size_t first = count_of(question, "first", num_frames);
+  const std::size_t count = count_of(question, "count", num_frames - first);
+  if (count == 0) return {{"count", 0}};
+  const PoseArrays poses = poses_of(slot.table, {first, first + count, 1});
+  return {{"first", first},
+          {"count", count},
+          {"positions", as_floats(held, poses.positions)},
+          {"rotations", as_floats(held, poses.rotations)},
+          {"tips", as_floats(held, poses.tips)}};
+}
+
+/// {"handle", "frame", "joint"}: the joint's pose and its values.
+Json joint(const Slot& slot, const Json& question) {
+  const Motion& motion = motion_of(slot);
+  const std::size_t num_frames = slot.table.frames.num_frames();
+  const std::size_t j = count_of(question, "joint", motion.skeleton.joints.size());
+  const std::size_t frame = count_of(question, "frame", num_frames);
+  if (j >= motion.skeleton.joints.size() || frame >= num_frames) return {{"channels", Json()}};
+  const PoseArrays poses = poses_of(slot.table, {frame, frame + 1, 1});
+  Json json;
+  for (std::size_t k = 0; k < 3; ++k)
+    json["position"].push_back(number(poses.positions[j * 3 + k]));
+  for (std::size_t k = 0; k < 4; ++k)
+    json["rotation"].push_back(number(poses.rotations[j * 4 + k]));
+  json["channels"] = Json::array();
+  const auto row = motion.clip.row(frame);
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    const Coordinate& coordinate = motion.skeleton.coordinates[c];
+    if (coordinate.joint == j)
+      json["channels"].push_back({{"name", coordinate.channel}, {"value", number(row[c])}});
+  }
+  return json;
+}
+
+/// {"handle", "column"}: a column of the clip, as doubles.
+Json column(Held& held, const Slot& slot, const Json& question) {
+  const Clip& clip = motion_of(slot).clip;
+  const std::size_t c = count_of(question, "column", clip.num_coordinates);
+  if (c >= clip.num_coordinates) return refusal("there is no such column");
+  Array<double> values(clip.num_frames);
+  const std::span<double> out = values.mutate();
+  for (std::size_t f = 0; f < clip.num_frames; ++f) out[f] = clip.row(f)[c];
+  return {{"values", as_doubles(held, std::move(values))}};
+}
+
+/// {"handle", "joint"}: how a joint moves in the world, as doubles.
+Json curves(Held& held, const Slot& slot, const Json& question) {
+  const Motion& motion = motion_of(slot);
+  const std::size_t joints[] = {count_of(question, "joint", motion.skeleton.joints.size())};
+  if (joints[0] >= motion.skeleton.joints.size()) return refusal("there is no such joint");
+  JointCurves curves = std::move(joint_curves(motion, joints).front());
+  Array<double> times(motion.clip.num_frames);
+  const std::span<double> out = times.mutate();
+  for (std::size_t f = 0; f < out.size(); ++f) out[f] = time_of_frame(motion.clip.timeline, f);
+  return {{"times", as_doubles(held, std::move(times))},
+          {"positions", as_doubles(held, std::move(curves.positions))},
+          {"speeds", as_doubles(held, std::move(curves.speeds))},
+          {"angular_speeds", as_doubles(held, std::move(curves.angular_speeds))}};
+}
+
+/// {"handle"}: what happens on the timeline.
+Json marks(const Slot& slot) {
+  constexpr const char* kKinds[] = {"spike", "flip", "below", "above", "fast"};
+  Json marks = Json::array();
+  for (const Mark& mark : find_marks(motion_of(slot))) {
+    marks.push_back({{"kind", kKinds[static_cast<std::size_t>(mark.kind)]},
+                     {"severity", severity_name(mark.severity)},
+                     {"joint", mark.joint},
+                     {"first_frame", mark.first_frame},
+                     {"num_frames", mark.num_frames},
+                     {"worst_frame", mark.worst_frame},
+                     {"code", mark.code},
+                     {"message", mark.message}});
+  }
+  return {{"marks", std::move(marks)}};
+}
+
+/// {"handle"}: where feet are on the ground.
+Json contacts(const Slot& slot) {
+  Diagnostics diagnostics;
+  const auto found = retime::ground_contacts(motion_of(slot), diagnostics);
+  if (!found) return failure(found.error(), diagnostics);
+  Json contacts = Json::array();
+  for (const retime::GroundContact& contact : *found) {
+    contacts.push_back({{"joint", contact.joint},
+                        {"tip", contact.is_tip ? Json(contact.tip) : Json()},
+                        {"first_frame", contact.first_frame},
+                        {"num_frames", contact.num_frames}});
+  }
+  return {{"contacts", std::move(contacts)}, {"diagnostics", json_of(diagnostics)}};
+}
+
+/// {"handle"}: the diagnostics of reading the file again and of checking it.
+Json check_document(const Session& session, const Slot& slot) {
+  Diagnostics diagnostics;
+  const auto again = open(session, slot.opening, diagnostics);
+  CheckOptions options;
+  options.name = slot.opening.path;
+  if (slot.model != nullptr) {
+    options.robot = [&slot](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
+      return slot.model;
+    };
+  }
+  if (again) check(again->source, options, diagnostics);
+  return {{"diagnostics", json_of(diagnostics)}};
+}
+
+/// The files that were written, for the page to offer.
+Json files_of(Held& held, std::vector<MemoryFile>&& files) {
+  Json json = Json::array();
+  for (MemoryFile& file : files) {
+    held.texts.push_back(std::move(file.bytes));
+    Json place = place_of(held.texts.back().data(), held.texts.back().size());
+    place["name"] = file.name;
+    json.push_back(std::move(place));
+  }
+  return json;
+}
+
+/// {"handle", "name", "format", "options"}: the document after its steps, converted.
+Json write_document(Held& held, const Slot& slot, const Json& question) {
+  const std::string name = text_of(question, "name"), wanted = text_of(question, "format");
+  const Format* format = wanted.empty() ? format_of_name(name) : find_format(wanted);
+  Diagnostics diagnostics;
+  if (format == nullptr) {
+    return failure(make_error(ErrorKind::Usage, "CLI001", "the name shows no format", name),
+                   diagnostics);
+  }
+  AdaptOptions adapting;
+  if (slot.model != nullptr) {
+    adapting.skeleton = [&slot](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
+      return slot.model;
+    };
+    adapting.skeleton_name = slot.opening.skeleton;
+  }
+  WriteOptions options;
+  const bool keeps_format = format->name == slot.source.format;
+  const Document& document = slot.current;
+  auto adapted =
+      adapt(document, *format, keeps_format ? AdaptOptions{} : adapting, options, diagnostics);
+  if (!adapted) return failure(adapted.error(), diagnostics);
+  const auto files = std::make_shared<std::vector<MemoryFile>>();
+  const OutputFiles output = files_in_memory(files);
+  auto written = write(name, *adapted, *format, options, output, diagnostics);
+  if (written) written = output.commit();
+  if (!written) return failure(written.error(), diagnostics);
+  return {{"files", files_of(held, std::move(*files))}, {"diagnostics", json_of(diagnostics)}};
+}
+
+/// {"handle", "name"}: a table of world positions.
+Json write_poses(Held& held, const Slot& slot, const Json& question) {
+  const std::string name = text_of(question, "name");
+  const Format* format = format_of_name(name);
+  if (format == nullptr || format->write_poses == nullptr) {
+    return failure(
+        make_error(ErrorKind::Usage, "CLI001", "no table of poses has such a name", name), {});
+  }
+  FkTable table = slot.table;
+  table.options.rotations = false;
+  std::string text;
+  write_table(table, *format, [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  });
+  std::vector<MemoryFile> files = {{name, std::move(text)}};
+  return {{"files", files_of(held, std::move(files))}};
+}
+
+/// {"path"}: a file, exactly as it was given.
+Json source(const Session& session, const Json& question) {
+  const auto found = session.files.find(text_of(question, "path"));
+  if (found == session.files.end()) return {{"files", Json::array()}};
+  Json place = place_of(found->second->data(), found->second->size());
+  place["name"] = found->first;
+  return {{"files", {std::move(place)}}};
+}
+
+}  // namespace
+
+Json answer(Session& session, Held& held, const Json& question) {
+  held = {};
+  held.floats.reserve(8);  // so that no array moves
+  held.doubles.reserve(8);
+  held.texts.reserve(64);
+  const std::string ask = text_of(question, "ask");
+  if (ask == "tables") return tables();
+  if (ask == "open") return open_file(session, question);
+  if (ask == "open_all") return open_files(session, question);
+  if (ask == "close") return close(session, question);
+  if (ask == "source") return source(session, question);
+  Slot* const slot = slot_of(session, question);
+  if (slot == nullptr) return refusal("no such document is open");
+  if (ask == "edit") return edit(session, *slot, question);
+  if (ask == "poses") return poses(held, *slot, question);
+  if (ask == "joint") return joint(*slot, question);
+  if (ask == "column") return column(held, *slot, question);
+  if (ask == "curves") return curves(held, *slot, question);
+  if (ask == "marks") return marks(*slot);
+  if (ask == "contacts") return contacts(*slot);
+  if (ask == "check") return check_document(session, *slot);
+  if (ask == "write") return write_document(held, *slot, question);
+  if (ask == "write_poses") return write_poses(held, *slot, question);
+  return failure(make_error(ErrorKind::Usage, "CLI001", "there is no question '" + ask + "'"), {});
+}
+
+}  // namespace kinefile::page

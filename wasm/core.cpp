@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The functions that the page's worker calls. Texts are UTF-8.
+#include <emscripten/emscripten.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "answers.hpp"
+#include "kinefile/version.hpp"
+
+namespace {
+
+using namespace kinefile::page;
+
+Session session;   // NOLINT(*-global-*): the worker that owns this module is the session
+Held held;         // NOLINT(*-global-*)
+std::string text;  // NOLINT(*-global-*)
+
+}  // namespace
+
+extern "C" {
+
+/// Adds a file. The memory at `bytes`, from malloc, then belongs to the core.
+EMSCRIPTEN_KEEPALIVE void kinefile_add_file(const char* path, char* bytes, std::size_t size) {
+  const std::shared_ptr<const void> owner(bytes, [](const void* memory) {
+    std::free(const_cast<void*>(memory));  // NOLINT: made by malloc in the worker
+  });
+  using Bytes = kinefile::Array<char>;
+  session.files[normalised(path)] =
+      std::make_shared<const Bytes>(Bytes::adopt({bytes, size}, owner));
+}
+
+/// Answers a question. The answer is valid until the next one.
+EMSCRIPTEN_KEEPALIVE const char* kinefile_answer(const char* question) {
+  const Json json = Json::parse(question, nullptr, false);
+  text = answer(session, held, json).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* kinefile_version() { return kinefile::kVersion; }
+
+}  // extern "C"

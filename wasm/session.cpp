@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "kinefile/io.hpp"
+#include "kinefile/place.hpp"
+#include "kinefile/retime_documents.hpp"
+#include "kinefile/run.hpp"
+
+namespace kinefile::page {
+namespace {
+
+Result<std::string_view> bytes_of(const FileSet& files, const std::string& path) {
+  const auto found = files.find(path);
+  if (found != files.end()) return view(*found->second);
+  return fail(make_error(ErrorKind::Io, "IO001", "there is no such file", path));
+}
+
+/// The options for reading a file, except for what it is read with.
+Result<ReadOptions> read_options(const Opening& opening) {
+  ReadOptions options;
+  options.keeps_times_without_rate = true;
+  Json words = opening.options;
+  options.lenient = words.value("lenient", false);
+  words.erase("lenient");
+  std::vector<std::span<const ReadOption>> tables;
+  for (const Format& format : formats()) tables.push_back(format.read_options);
+  auto set = set_options<ReadOptions>(options, words, tables);
+  if (!set) return fail(std::move(set.error()));
+  return options;
+}
+
+/// Reads one file of the set.
+Result<Document> read(const FileSet& files, const std::string& path, const Format* format,
+                      ReadOptions options, std::set<std::string>& opened,
+                      Diagnostics& diagnostics) {
+  const auto bytes = bytes_of(files, path);
+  if (!bytes) return fail(bytes.error());
+  options.companions = files_beside(files, path, opened);
+  return read_bytes(*bytes, path, format, std::move(options), diagnostics);
+}
+
+/// Reads the skeleton or the robot that the opening names; null if it names none.
+Result<std::shared_ptr<const Document>> read_model(const FileSet& files, Slot& slot,
+                                                   const ReadOptions& options,
+                                                   Diagnostics& diagnostics) {
+  const std::string& path = slot.opening.skeleton;
+  if (path.empty()) return nullptr;
+  ReadOptions of_model;
+  of_model.lenient = options.lenient;
+  of_model.of_formats = options.of_formats;
+  of_model.metres_per_unit = options.metres_per_unit;
+  of_model.up = options.up;
+  slot.opened.insert(path);
+  auto model = read(files, path, nullptr, of_model, slot.opened, diagnostics);
+  if (!model) return fail(std::move(model.error()));
+  return std::make_shared<const Document>(std::move(*model));
+}
+
+Result<std::shared_ptr<const RobotProject>> read_project_of(const FileSet& files, Slot& slot,
+                                                            bool is_lenient,
+                                                            Diagnostics& diagnostics) {
+  const std::string& path = slot.opening.project;
+  if (path.empty()) return nullptr;
+  const auto bytes = bytes_of(files, path);
+  if (!bytes) return fail(bytes.error());
+  slot.opened.insert(path);
+  ReadOptions options;
+  options.source_name = path;
+  options.lenient = is_lenient;
+  options.companions = files_beside(files, path, slot.opened);
+  auto project = read_project(*bytes, options, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  return std::make_shared<const RobotProject>(std::move(*project));
+}
+
+/// The servo map that the opening names, otherwise the one of its project; nothing without both.
+Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
+                                              const RobotProject* project,
+                                              Diagnostics& diagnostics) {
+  const std::string& path = slot.opening.servo_map;
+  if (path.empty()) {
+    return project == nullptr ? std::nullopt : std::optional(servo_map_of(*project));
+  }
+  const auto bytes = bytes_of(files, path);
+  if (!bytes) return fail(bytes.error());
+  slot.opened.insert(path);
+  auto map = parse_servo_map(*bytes, path, diagnostics);
+  if (!map) return fail(std::move(map.error()));
+  return std::optional(std::move(*map));
+}
+
+DocumentSource source_of(const std::shared_ptr<const Document>& model) {
+  if (model == nullptr) return {};
+  return [model](Diagnostics&) -> Result<std::shared_ptr<const Document>> { return model; };
+}
+
+/// Runs a flow through a servo map, so that it has a motion; other documents stay as they are.
+Result<Document> moving(const Session& session, Slot& slot, const Document& document,
+                        Diagnostics& diagnostics) {
+  const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
+  if (flow == nullptr) return document;
+  const bool is_lenient = slot.opening.options.value("lenient", false);
+  auto project = read_project_of(session.files, slot, is_lenient, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
+  if (!map) return fail(std::move(map.error()));
+  if (!*map || slot.model == nullptr) {
+    return fail(ErrorKind::Usage, "CLI001",
+                "a flow of servo poses is shown on a robot: its model and a servo map (or its "
+                "project) are needed");
+  }
+  RunSettings settings;
+  settings.project = *project;
+  settings.servo_map = **map;
+  const auto timed = run(*flow, settings, diagnostics);
+  if (!timed) return fail(timed.error());
+  ServoMap timed_map = **map;
+  timed_map.tick_seconds = timed->tick_seconds;
+  return document_of_run(*timed, timed_map, source_of(slot.model), diagnostics);
+}
+
+/// Places the current document in the world.
+Result<void> place_current(const Session& session, Slot& slot, Diagnostics& diagnostics) {
+  const bool is_lenient = slot.opening.options.value("lenient", false);
+  const auto document = moving(session, slot, slot.current, diagnostics);
+  if (!document) return fail(document.error());
+  auto placed = place(*document, source_of(slot.model), is_lenient, diagnostics);
+  if (!placed) return fail(std::move(placed.error()));
+  FkOptions options;
+  options.name = slot.opening.path;
+  options.rest = placed->is_still || placed->motion.clip.num_frames == 0;
+  options.rotations = options.tips = true;
+  auto table = fk(std::move(*placed), options);
+  if (!table) return fail(std::move(table.error()));
+  slot.table = std::move(*table);
+  return {};
+}
+
+/// Applies one step of kind "warp".
+Result<void> warp(Slot& slot, const Json& words, Diagnostics& diagnostics) {
+  retime::DocumentWarp warp;
+  retime::RetimeOptions retiming;
+  Json of_map = Json::object(), of_motion = Json::object();
+  for (const auto& [name, word] : words.items()) {
+    const bool is_of_map = find_option(retime::warp_options(), name) != nullptr;
+    (is_of_map ? of_map : of_motion)[name] = word;
+  }
+  const std::span<const Option<retime::DocumentWarp>> map_table[] = {retime::warp_options()};
+  auto set = set_options<retime::DocumentWarp>(warp, of_map, map_table);
+  const std::span<const Option<retime::RetimeOptions>> table[] = {retime::retime_options()};
+  if (set) set = set_options<retime::RetimeOptions>(retiming, of_motion, table);
+  if (!set) return set;
+  auto map = retime::warp_map(slot.current, warp, diagnostics);
+  if (!map) return fail(std::move(map.error()));
+  slot.source_frames = map->old_frames;
+  return retime::apply(slot.current, *map, retiming, diagnostics);
+}
+
+/// Applies one operation of the table.
+Result<void> operate(const Session& session, Slot& slot, const std::string& word,
+                     Diagnostics& diagnostics) {
+  const auto operation = parse_operation(word);
+  if (!operation) return fail(operation.error());
+  OperationContext context;
+  context.lenient = slot.opening.options.value("lenient", false);
+  context.open = [&](const std::string& name) {
+    std::set<std::string> opened;
+    return read(session.files, name, nullptr, {}, opened, diagnostics);
+  };
+  auto project = read_project_of(session.files, slot, context.lenient, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  context.project = std::move(*project);
+  return apply(std::span(&*operation, 1), slot.current, context, diagnostics);
+}
+
+}  // namespace
+
+std::string text_of(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& diagnostics) {
+  Slot slot;
+  slot.opening = opening;
+  auto options = read_options(opening);
+  if (!options) return fail(std::move(options.error()));
+  auto model = read_model(session.files, slot, *options, diagnostics);
+  if (!model) return fail(std::move(model.error()));
+  slot.model = std::move(*model);
+  options->skeleton = slot.model;
+  options->skeleton_name = opening.skeleton;
+  const Format* format = opening.from.empty() ? nullptr : find_format(opening.from);
+  auto document =
+      read(session.files, opening.path, format, std::move(*options), slot.opened, diagnostics);
+  if (!document) return fail(std::move(document.error()));
+  slot.source = slot.current = std::move(*document);
+  auto placed = place_current(session, slot, diagnostics);
+  if (!placed) return fail(std::move(placed.error()));
+  return slot;
+}
+
+Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
+                         Diagnostics& diagnostics) {
+  Slot changed = slot;
+  changed.current = changed.source;
+  changed.source_frames.clear();
+  for (const Json& step : steps) {
+    changed.source_frames.clear();
+    const auto warping = step.find("warp");
+    auto applied = warping != step.end()
+                       ? warp(changed, *warping, diagnostics)
+                       : operate(session, changed, text_of(step, "operation"), diagnostics);
+    if (!applied) return applied;
+  }
+  auto placed = place_current(session, changed, diagnostics);
+  if (placed) slot = std::move(changed);
+  return placed;
+}
+
+}  // namespace kinefile::page

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "files.hpp"
+#include "kinefile/fk.hpp"
+#include "kinefile/process.hpp"
+#include "kinefile/retime.hpp"
+
+// The documents that the page has open.
+namespace kinefile::page {
+
+using Json = nlohmann::ordered_json;
+
+/// What to open, and how.
+struct Opening {
+  std::string path;
+  std::string from;       ///< the format's name; empty: detected
+  std::string skeleton;   ///< a path: of the skeleton, or the robot; empty: found beside, or none
+  std::string servo_map;  ///< a path, for a flow; empty: made from the project
+  std::string project;    ///< a path, for a flow
+  Json options = Json::object();  ///< words by the names in the formats' tables of read options
+};
+
+/// An open document. It is read once; steps are applied to a copy of what was read, so that any
+/// list of steps can replace another.
+struct Slot {
+  Opening opening;
+  std::shared_ptr<const Document> model;  ///< the skeleton or the robot; null: none
+  Document source;                        ///< as read; a flow as a flow
+  Document current;                       ///< after all steps
+  FkTable table;                          ///< `current` in the world
+  std::vector<double> source_frames;      ///< of the last step, if that is a warp; otherwise empty
+  std::set<std::string> opened;           ///< the companions that were read, by path
+};
+
+/// The files and the open documents.
+struct Session {
+  FileSet files;
+  std::map<int, Slot> slots;
+  int next_handle = 1;
+};
+
+/// Reads a document of the file set, and places it in the world.
+/// \errors those of `read_bytes`, `place` and `fk`; IO001 (Io) if there is no such file; CLI001
+///         (Usage) for an option that its formats do not have, or with an invalid word
+Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& diagnostics);
+
+/// Applies steps to what was read, in order: {"operation": "trim=10:20"} or
+/// {"warp": {"key": "150:160", "tail": "extend"}}. After an error nothing has changed.
+/// \errors those of the operations, of `retime::warp_map`, `place` and `fk`
+Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
+                         Diagnostics& diagnostics);
+
+/// The motion that a slot shows.
+inline const Motion& motion_of(const Slot& slot) { return slot.table.placed.motion; }
+
+/// The text of a member of an object; empty if there is none.
+std::string text_of(const Json& object, const char* key);
+
+/// Sets options by the words of an object: true for a flag, an array for an option that is given
+/// several times.
+/// \param tables  tables of options; an option is set in each that has it
+/// \errors CLI001 (Usage) if no table has an option, or its word is not valid
+template <class Target>
+Result<void> set_options(Target& target, const Json& words,
+                         std::span<const std::span<const Option<Target>>> tables) {
+  for (const auto& [name, given] : words.items()) {
+    bool is_known = false;
+    const Json list = given.is_array() ? given : Json::array({given});
+    for (const auto& table : tables) {
+      const Option<Target>* option = find_option(table, name);
+      if (option == nullptr || option->set == nullptr) continue;
+      is_known = true;
+      for (const Json& word : list) {
+        const std::string text = word.is_string() ? word.template get<std::string>() : "";
+        if (word.is_boolean() && !word.template get<bool>()) continue;
+        if (!option->set(target, option->info, text)) {
+          return fail(ErrorKind::Usage, "CLI001",
+                      "--" + name + ": expected " +
+                          std::string(option->info.wanted.empty() ? option->info.value_name
+                                                                  : option->info.wanted) +
+                          ", found '" + text + "'");
+        }
+      }
+    }
+    if (!is_known) return fail(ErrorKind::Usage, "CLI001", "there is no option --" + name);
+  }
+  return {};
+}
+
+}  // namespace kinefile::page

@@ -3,10 +3,14 @@
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 600
 
-.PHONY: help demo test bench install fuzz lint format clean
+# 0: the demo makes no page, and needs nothing for it.
+WEB ?= 1
+
+.PHONY: help demo web test bench install fuzz lint format clean
 
 help:
 	@echo 'make demo     build kinefile and show what it does on a walk that it makes itself'
+	@echo 'make web      build the page that shows motion, build/web/page.html'
 	@echo 'make test     build and run all tests; what CI runs'
 	@echo 'make bench    measure against named baselines in one run'
 	@echo 'make install  install the command, the library, the man page (PREFIX=$(PREFIX))'
@@ -17,8 +21,13 @@ help:
 
 demo:
 	@tools/setup.sh demo
+	@WEB='$(WEB)' tools/web_if_possible.sh
 	@tools/build.sh demo kinefile_command make_walk
 	@tools/demo.sh build/release build/demo
+
+web:
+	@tools/setup.sh web
+	@tools/web.sh
 
 test:
 	@tools/setup.sh test

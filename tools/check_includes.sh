@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tools/check_includes.sh [FILE...]: compiles every public header, and every source file of the library
-# and the command, alone and without making code. The builds compile a layer as one unit, where a file
+# tools/check_includes.sh [FILE...]: compiles every public header, and every source file of the library,
+# the command and the page's core, alone and without making code. The builds compile a layer as one unit, where a file
 # sees what those before it included: only here an include that is missing is found.
 set -eu
 
-flags="-std=c++20 -w -Iinclude -Isrc -DFMT_HEADER_ONLY -DEIGEN_MPL2_ONLY \
+flags="-std=c++20 -w -Iinclude -Isrc -Iwasm -DFMT_HEADER_ONLY -DEIGEN_MPL2_ONLY \
   $(pkg-config --cflags eigen3)"
 out=build/includes
 mkdir -p "$out"
@@ -16,7 +16,7 @@ printf '#include <Eigen/Core>\n#include <Eigen/Geometry>\n' >"$out/eigen.hpp"
 clang++-14 $flags -fpch-instantiate-templates -x c++-header "$out/eigen.hpp" -o "$out/eigen.pch"
 
 # shellcheck disable=SC2046 # no name has blanks
-[ $# -gt 0 ] || set -- $(tools/sources.sh include src cli | grep -E '^include/|\.cpp$')
+[ $# -gt 0 ] || set -- $(tools/sources.sh include src cli wasm | grep -E '^include/|\.cpp$')
 
 # The shared library exports what public headers declare, where they say so.
 for header in include/kinefile/*.hpp; do

@@ -96,4 +96,11 @@ say "A file that was cut off is told with its place"
 head -c 20000 walk.bvh >cut.bvh
 run_that_may_end_in_1 check cut.bvh
 
+say "Look at it: the walk in yellow, and in blue its warp, in a page that needs no network"
+if run view walk.amc walk_later.amc -o walk.html --quiet --force; then
+  echo "Open build/demo/walk.html in a browser."
+else
+  echo "(This build has no page; make web builds it.)"
+fi
+
 say "The files are in $out; the command is $1/kinefile"

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that are missing, and says which. Does nothing when all are there.
 #   tools/setup.sh demo    what building and running the command needs
+#   tools/setup.sh web     also what building the page needs
 #   tools/setup.sh test    also what the tests, the fuzzers and the browser build need
 #   tools/setup.sh bench   also what the benchmarks need
 # Where there is no apt-get, or no way to be root, it says what is needed and fails only if a tool is
@@ -10,21 +11,24 @@ set -eu
 
 demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-dev
   libfast-float-dev libexpected-dev libhwy-dev libtinyxml2-dev nlohmann-json3-dev'
+web="$demo emscripten"
 bench="$demo libbenchmark-dev libyaml-dev"
-test="$bench googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+test="$bench chromium fonts-vlgothic googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten python3"
 
 demo_tools='cmake ninja c++'
 demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, tinyxml2, nlohmann-json'
 bench_libraries="$demo_libraries, Google Benchmark, libyaml"
-test_tools="$demo_tools g++ pkg-config clang++-14 clang-format-14 emcc python3 node"
+web_tools="$demo_tools emcc node npm"
+test_tools="$web_tools chromium g++ pkg-config clang++-14 clang-format-14 python3"
 test_libraries="$bench_libraries, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"
 
 case "${1:-}" in
   demo) wanted=$demo tools=$demo_tools libraries=$demo_libraries ;;
   test) wanted=$test tools=$test_tools libraries=$test_libraries ;;
+  web) wanted=$web tools=$web_tools libraries=$demo_libraries ;;
   bench) wanted=$bench tools=$demo_tools libraries=$bench_libraries ;;
-  *) echo "usage: tools/setup.sh demo|test|bench" >&2; exit 2 ;;
+  *) echo "usage: tools/setup.sh demo|web|test|bench" >&2; exit 2 ;;
 esac
 
 # Says what is needed, in the words of no distribution; fails if a tool is not there.
@@ -54,8 +58,13 @@ for package in $wanted; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
     missing="$missing $package"
 done
-# The tests need some Node.js to run the browser build; a machine may have one of its own.
-if [ "$1" = test ] && ! command -v node >/dev/null; then missing="$missing nodejs"; fi
+# A machine may have a Node.js of its own.
+case $1 in
+  web | test)
+    command -v node >/dev/null || missing="$missing nodejs"
+    command -v npm >/dev/null || missing="$missing npm"
+    ;;
+esac
 [ -n "$missing" ] || exit 0
 
 as_root=''

@@ -8,6 +8,9 @@ say() { printf '\n== %s\n' "$*"; }
 say "Layout of the code"
 tools/sources.sh . | xargs clang-format-14 --dry-run --Werror
 
+say "The page, which the command embeds"
+tools/web.sh
+
 say "Release build: unit, format, property, transcript, layer and document tests"
 tools/build.sh release
 ctest --test-dir build/release --output-on-failure
@@ -28,5 +31,8 @@ tools/fuzz.sh "${FUZZ_SECONDS:-8}"
 say "The core for the browser: its unit tests under Node"
 tools/build.sh wasm
 ctest --test-dir build/wasm --output-on-failure
+
+say "The page: types, lint, and its tests in a browser"
+tools/test_page.sh
 
 say "All tests passed"

@@ -271,7 +271,7 @@ Json write_document(Held& held, const Slot& slot, const Json& question) {
   return {{"files", files_of(held, std::move(*files))}, {"diagnostics", json_of(diagnostics)}};
 }
 
-/// {"handle", "name"}: a table of world positions.
+/// {"handle", "name", "tips"}: a table of world positions.
 Json write_poses(Held& held, const Slot& slot, const Json& question) {
   const std::string name = text_of(question, "name");
   const Format* format = format_of_name(name);
@@ -281,6 +281,7 @@ Json write_poses(Held& held, const Slot& slot, const Json& question) {
   }
   FkTable table = slot.table;
   table.options.rotations = false;
+  table.options.tips = question.value("tips", false);
   std::string text;
   write_table(table, *format, [&text](std::string_view piece) {
     text += piece;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions that the page's worker calls. Texts are UTF-8.
-#include <emscripten/emscripten.h>
-
+// The functions that the page's worker calls; CMakeLists.txt exports them. Texts are UTF-8.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -23,7 +21,7 @@ std::string text;  // NOLINT(*-global-*)
 extern "C" {
 
 /// Adds a file. The memory at `bytes`, from malloc, then belongs to the core.
-EMSCRIPTEN_KEEPALIVE void kinefile_add_file(const char* path, char* bytes, std::size_t size) {
+void kinefile_add_file(const char* path, char* bytes, std::size_t size) {
   const std::shared_ptr<const void> owner(bytes, [](const void* memory) {
     std::free(const_cast<void*>(memory));  // NOLINT: made by malloc in the worker
   });
@@ -33,12 +31,12 @@ EMSCRIPTEN_KEEPALIVE void kinefile_add_file(const char* path, char* bytes, std::
 }
 
 /// Answers a question. The answer is valid until the next one.
-EMSCRIPTEN_KEEPALIVE const char* kinefile_answer(const char* question) {
+const char* kinefile_answer(const char* question) {
   const Json json = Json::parse(question, nullptr, false);
   text = answer(session, held, json).dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.c_str();
 }
 
-EMSCRIPTEN_KEEPALIVE const char* kinefile_version() { return kinefile::kVersion; }
+const char* kinefile_version() { return kinefile::kVersion; }
 
 }  // extern "C"

@@ -173,6 +173,7 @@ export interface JointAnswer {
 /** What happens on the timeline. */
 export interface Mark {
   kind: 'spike' | 'flip' | 'below' | 'above' | 'fast';
+  severity: 'note' | 'warning' | 'error';
   joint: number;
   first_frame: number;
   num_frames: number;
@@ -238,6 +239,6 @@ export interface Questions {
     ask: {handle: number; name: string; format?: string};
     answer: {files: WrittenFile[]; diagnostics: Diagnostic[]};
   };
-  write_poses: {ask: {handle: number; name: string}; answer: {files: WrittenFile[]}};
+  write_poses: {ask: {handle: number; name: string; tips?: boolean}; answer: {files: WrittenFile[]}};
   source: {ask: {path: string}; answer: {files: WrittenFile[]}};
 }

@@ -46,7 +46,7 @@ PUBLIC = {
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",
     "servo_map": "model",
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
-    "anomalies": "kinematics", "limits": "kinematics", "evidence": "kinematics",
+    "anomalies": "kinematics", "joint_curves": "kinematics", "limits": "kinematics", "evidence": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
     "servo": "servo", "operation": "model", "process": "document", "convert": "document",
     "check": "document", "place": "document", "info": "document", "fk": "document",

@@ -23,6 +23,7 @@
 #include "kinefile/format.hpp"
 #include "kinefile/info.hpp"
 #include "kinefile/io.hpp"
+#include "kinefile/joint_curves.hpp"
 #include "kinefile/joint_map.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kept.hpp"

@@ -29,6 +29,7 @@
 #include "kinefile/kept.hpp"
 #include "kinefile/kinematics.hpp"
 #include "kinefile/limits.hpp"
+#include "kinefile/marks.hpp"
 #include "kinefile/math.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/operation.hpp"

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,6 +65,10 @@ struct Ease {
 /// Reads the name of an ease: none, smooth, smoother, in, out, in-out (with a power: in:3),
 /// bezier:X1,Y1,X2,Y2.
 std::optional<Ease> parse_ease(std::string_view text);
+
+/// The name of an ease, from which `parse_ease` makes the same ease: "in:3". Numbers are in their
+/// shortest exact form; the power 2 is omitted.
+std::string word_of(const Ease& ease);
 
 /// The value of an ease at u in [0, 1].
 double ease_at(const Ease& ease, double u);

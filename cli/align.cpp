@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "options.hpp"
 #include "report.hpp"
 #include "retiming.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 struct Align {
   std::string file;
   std::string reference;
-  std::string by = "angles";
+  retime::AlignOptions options;
   Retiming retiming;
 };
 
@@ -25,9 +26,7 @@ int run(Align& align, const Globals& globals) {
   }
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = reading.is_strict;
-  retime::AlignOptions options;
-  if (align.by == "points") options.by = retime::AlignOptions::By::Points;
-  auto map = retime::align_map(*document, *reference, options, diagnostics);
+  auto map = retime::align_map(*document, *reference, align.options, diagnostics);
   // Without an output file the map is printed.
   const bool has_output = align.retiming.writing.out != "-" || !align.retiming.writing.to.empty();
   align.retiming.prints_table |= !has_output;
@@ -43,13 +42,7 @@ void add_align(CLI::App& app, Globals& globals) {
       "align", "Find the times that bring one motion onto another; print or apply them");
   command->add_option("A", align->file, "The motion to bring onto the other")->required();
   command->add_option("B", align->reference, "The motion that sets the times")->required();
-  command
-      ->add_option("--by", align->by,
-                   "What frames are compared by: the angles of joints, or the points where they "
-                   "are, wherever on the ground")
-      ->check(CLI::IsMember({"angles", "points"}))
-      ->default_str("angles")
-      ->type_name("WHAT");
+  add_flags(*command, retime::align_options(), align->options);
   add_retiming_options(*command, align->retiming, true);
   command->callback(
       [align, &globals] { globals.run = [align, &globals] { return run(*align, globals); }; });

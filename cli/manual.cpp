@@ -34,10 +34,12 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
+/// The name of an option's value, without the check that CLI11 adds: "RULE:{keep,extend}",
+/// "N:INT in [0 - 30]". Names may have colons, too.
 std::string argument_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return {};
   const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));
+  return type.substr(0, std::min(type.find(":{"), type.find(":INT in [")));
 }
 
 std::vector<OptionText> options_of(const CLI::App& app) {

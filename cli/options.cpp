@@ -64,6 +64,39 @@ std::string refusal(std::string_view option, const Reading& reading, const Forma
                      fmt::join(uses, ", and for "));
 }
 
+/// Adds an option with a value to a command.
+/// \param set  called with the word, or with each word of an option that can repeat
+CLI::Option* add_with_value(CLI::App& command, const std::string& name, const std::string& help,
+                            bool can_repeat, const std::function<void(const std::string&)>& set) {
+  if (!can_repeat) return command.add_option_function<std::string>(name, set, help);
+  const auto set_all = [set](const std::vector<std::string>& words) {
+    for (const std::string& word : words) set(word);
+  };
+  return command.add_option_function<std::vector<std::string>>(name, set_all, help)
+      ->allow_extra_args(false);
+}
+
+/// Adds the check that a flag's words are valid for all of its options.
+void add_check(CLI::Option& option, const TableFlag& flag) {
+  const OptionInfo& info = flag.info;
+  if (info.type == OptionType::Choice) {
+    option.check(CLI::IsMember(std::vector<std::string>(info.choices.begin(), info.choices.end())));
+    return;
+  }
+  if (info.type == OptionType::Count && info.wanted.empty()) {
+    constexpr double kMost = std::numeric_limits<int>::max();
+    option.check(CLI::Range(static_cast<int>(std::max(info.least, -kMost)),
+                            static_cast<int>(std::min(info.most, kMost))));
+    return;
+  }
+  option.check([checks = flag.checks, wanted = info.wanted](const std::string& word) {
+    for (const auto& is_valid : checks) {
+      if (!is_valid(word)) return fmt::format("expected {}, found '{}'", wanted, word);
+    }
+    return std::string();
+  });
+}
+
 Result<void> no_effect(std::string message) {
   return fail(ErrorKind::Usage, "CLI003", std::move(message));
 }
@@ -75,31 +108,17 @@ void add_flag(CLI::App& command, const TableFlag& flag) {
   const std::string name = fmt::format("--{}", info.name);
   if (command.get_option_no_throw(name) != nullptr) return;
   const auto set = [setters = flag.setters](const std::string& word) {
-    bool is_taken = true;
-    for (const auto& setter : setters) is_taken = setter(word) && is_taken;
-    return is_taken;
+    for (const auto& setter : setters) setter(word);
   };
   if (info.type == OptionType::Flag) {
     command.add_flag_callback(
         name, [set] { set(""); }, flag.help);
     return;
   }
-  auto* option = command.add_option_function<std::string>(
-      name, [set](const std::string& word) { set(word); }, flag.help);
-  option->type_name(std::string(info.value_name));
+  CLI::Option* option = add_with_value(command, name, flag.help, info.can_repeat, set);
+  option->type_name(std::string(info.value_name))->required(info.is_required);
   if (!info.default_word.empty()) option->default_str(std::string(info.default_word));
-  if (info.type == OptionType::Choice) {
-    option->check(
-        CLI::IsMember(std::vector<std::string>(info.choices.begin(), info.choices.end())));
-  } else if (info.type == OptionType::Count && info.wanted.empty()) {
-    constexpr double kMost = std::numeric_limits<int>::max();
-    option->check(CLI::Range(static_cast<int>(std::max(info.least, -kMost)),
-                             static_cast<int>(std::min(info.most, kMost))));
-  } else {
-    option->check([set, wanted = std::string(info.wanted)](const std::string& word) {
-      return set(word) ? std::string() : "expected " + wanted;
-    });
-  }
+  add_check(*option, flag);
 }
 
 Result<void> expect_options_of(const Reading& reading, const Format* output) {

@@ -18,7 +18,8 @@ namespace kinefile::cli {
 struct TableFlag {
   OptionInfo info;
   std::string help;  ///< the help texts of all formats
-  std::vector<std::function<bool(const std::string& word)>> setters;
+  /// Whether options accept a word, and what sets them; one of each per option.
+  std::vector<std::function<bool(const std::string&word)>> checks, setters;
 };
 
 /// Adds the options of a table to flags. `target` must outlive them.
@@ -31,10 +32,14 @@ void add_table(std::vector<TableFlag>& flags, std::span<const Option<Target>> ta
       return known.info.name == option.info.name;
     });
     if (flag == flags.end())
-      flag = flags.insert(flags.end(), {option.info, std::string(option.info.help), {}});
+      flag = flags.insert(flags.end(), {option.info, std::string(option.info.help), {}, {}});
     if (flag->help.find(option.info.help) == std::string::npos) {
       flag->help += fmt::format(". {}", option.info.help);
     }
+    flag->checks.emplace_back([option](const std::string& word) {
+      Target scratch;
+      return option.set(scratch, option.info, word);
+    });
     flag->setters.emplace_back([option, &target](const std::string& word) {
       return option.set(target, option.info, word);
     });
@@ -43,6 +48,14 @@ void add_table(std::vector<TableFlag>& flags, std::span<const Option<Target>> ta
 
 /// Adds a flag to a command, unless it has one with that name.
 void add_flag(CLI::App& command, const TableFlag& flag);
+
+/// Adds a flag for every option of a table to a command. `target` must outlive it.
+template <class Target>
+void add_flags(CLI::App& command, std::span<const Option<Target>> table, Target& target) {
+  std::vector<TableFlag> flags;
+  add_table(flags, table, target);
+  for (const TableFlag& flag : flags) add_flag(command, flag);
+}
 
 /// Refuses the first given option that has no effect on the files that were read and on the output,
 /// by the tables of options of their formats.

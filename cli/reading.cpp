@@ -25,7 +25,8 @@ std::string check_rate(const std::string& text) {
   double rate = 0;
   const bool is_number = CLI::detail::lexical_cast(text, rate);
   // Within these limits, frame times and times are finite numbers, too.
-  return is_number && rate >= 1e-9 && rate <= 1e9 ? "" : "expected frames a second above 0";
+  const bool is_good = is_number && rate >= 1e-9 && rate <= 1e9;
+  return is_good ? "" : fmt::format("expected frames a second above 0, found '{}'", text);
 }
 
 void add_reading_options(CLI::App& command, Reading& reading) {

@@ -22,8 +22,7 @@ int run(const Resample& resample, const Globals& globals) {
   if (format == nullptr) return no_output_format(retiming.writing, globals);
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = retiming.reading.is_strict;
-  auto made =
-      retime::resample(*document, resample.frame_rate, retime_options(retiming), diagnostics);
+  auto made = retime::resample(*document, resample.frame_rate, options_of(retiming), diagnostics);
   return write_document(std::move(made), std::move(*document), *format, retiming.writing,
                         resample.file, retiming.reading, diagnostics, globals);
 }

@@ -9,13 +9,6 @@
 namespace kinefile::cli {
 namespace {
 
-retime::RotationInterpolation rotation_of(const std::string& word) {
-  if (word == "nlerp") return retime::RotationInterpolation::Nlerp;
-  if (word == "cubic") return retime::RotationInterpolation::Cubic;
-  return word == "euler" ? retime::RotationInterpolation::Euler
-                         : retime::RotationInterpolation::Slerp;
-}
-
 /// Prints `new,old` for every new frame.
 void print_table(const retime::TimeMap& map) {
   fmt::memory_buffer text;
@@ -27,24 +20,14 @@ void print_table(const retime::TimeMap& map) {
 
 }  // namespace
 
-retime::RetimeOptions retime_options(const Retiming& retiming) {
-  retime::RetimeOptions options;
-  options.rotation = rotation_of(retiming.rotation);
-  options.antialias = retiming.has_antialias;
+retime::RetimeOptions options_of(const Retiming& retiming) {
+  retime::RetimeOptions options = retiming.options;
   options.lenient = retiming.reading.is_lenient;
   return options;
 }
 
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table) {
-  command
-      .add_option("--rotation", retiming.rotation,
-                  "How rotations between two frames are found: slerp, nlerp, cubic (SQUAD), or "
-                  "euler, angle by angle")
-      ->check(CLI::IsMember({"slerp", "nlerp", "cubic", "euler"}))
-      ->default_str("slerp")
-      ->type_name("HOW");
-  command.add_flag("--antialias", retiming.has_antialias,
-                   "Average over the frames that are passed over where time runs fast");
+  add_flags(command, retime::retime_options(), retiming.options);
   retiming.writing.out = "-";
   CLI::Option* out = command
                          .add_option("-o,--out", retiming.writing.out,
@@ -79,7 +62,7 @@ int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std:
     print_table(*map);
     return kDone;
   }
-  auto made = map ? retime::apply(document, *map, retime_options(retiming), diagnostics)
+  auto made = map ? retime::apply(document, *map, options_of(retiming), diagnostics)
                   : Result<void>(fail(std::move(map.error())));
   return write_document(std::move(made), std::move(document), *format, retiming.writing, path,
                         retiming.reading, diagnostics, globals);

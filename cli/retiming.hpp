@@ -10,15 +10,14 @@ namespace kinefile::cli {
 
 /// Options of every command that shows a motion at other times.
 struct Retiming {
-  std::string rotation = "slerp";
-  bool has_antialias = false;
+  retime::RetimeOptions options;  ///< set through `retime::retime_options`
   bool prints_table = false;
   Writing writing;
   Reading reading;
 };
 
-/// How rotations are interpolated, and related options.
-retime::RetimeOptions retime_options(const Retiming& retiming);
+/// How the motion is shown at other times, with the leniency of reading.
+retime::RetimeOptions options_of(const Retiming& retiming);
 
 /// Adds the options of `Retiming` to a command; with `--table` if it can print its map.
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table);

@@ -36,10 +36,11 @@ struct OptionInfo {
                                  ///< second above 0"
   double least = std::numeric_limits<double>::lowest();  ///< for a number or a count, inclusive
   double most = std::numeric_limits<double>::max();
-  bool is_required = false;  ///< for a parameter of an operation: it must be given
+  bool is_required = false;  ///< it must be given
   /// For a parameter of an operation: the character before it in the operation's word; 0 for a
   /// named parameter: ",blend=10".
   char separator = 0;
+  bool can_repeat = false;  ///< it may be given several times; each adds to those before
 };
 
 /// An option that sets a member of `Target`, a struct of options.

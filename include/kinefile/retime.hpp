@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -65,6 +66,10 @@ struct Ease {
 /// bezier:X1,Y1,X2,Y2.
 std::optional<Ease> parse_ease(std::string_view text);
 
+/// The name of an ease, from which `parse_ease` makes the same ease: "in:3". Numbers are in their
+/// shortest exact form; the power 2 is omitted.
+std::string word_of(const Ease& ease);
+
 /// The value of an ease at u in [0, 1].
 double ease_at(const Ease& ease, double u);
 
@@ -124,16 +129,29 @@ Result<TimeMap> steady_map(const Clip& clip, double frame_rate, double start);
 /// \errors RTM002 (Usage) if the times are not increasing
 Result<SteadyRate> rate_for(const Timeline& timeline);
 
-/// Weights for where time may stretch without being noticed: 1 where a foot is on the ground, 0
-/// where none is, so that flight phases keep natural gravity. Feet are found by joint names (foot,
-/// toe, ankle, ball): of each foot, the joints with such a name that are furthest from the root,
-/// and their tips.
-/// A foot is on the ground while one of these points moves slower than 0.2 m/s and is less than 4
-/// cm above its 2nd percentile of height, for 0.1 s or longer.
-/// Up is y, or z if the body is further from the feet along z than along the other axes. If the
-/// motion has no unit of length, the rest pose is assumed to be 1.7 m high (RTM006).
-/// \returns the weights; shape (frames)
+/// Frames, one after another, in which a point of a foot is on the ground.
+struct GroundContact {
+  std::size_t joint = 0;  ///< the joint of the foot
+  bool is_tip = false;    ///< the point is a tip of the joint, not its origin
+  std::size_t tip = 0;    ///< of a tip: its index among the tips of all joints (`PoseArrays::tips`)
+  std::size_t first_frame = 0;
+  std::size_t num_frames = 0;
+};
+
+/// Finds where feet are on the ground. Feet are found by joint names (foot, toe, ankle, ball): of
+/// each foot, the joints with such a name that are furthest from the root, and their tips.
+/// A point of a foot is on the ground while it moves slower than 0.2 m/s and is less than 4 cm
+/// above its 2nd percentile of height, for 0.1 s or longer.
+/// Up is as in `settle_up_axis`. If the motion has no unit of length, the figure is assumed to
+/// stand 1.7 m high (RTM006).
+/// \returns the contacts, sorted by point (joint, then its origin before its tips), then frame
 /// \errors RTM003 (Usage) if no foot is found
+Result<std::vector<GroundContact>> ground_contacts(const Motion& motion, Diagnostics& diagnostics);
+
+/// Weights for where time may stretch without being noticed: 1 where a foot is on the ground (see
+/// `ground_contacts`), 0 where none is, so that flight phases keep natural gravity.
+/// \returns the weights; shape (frames)
+/// \errors those of `ground_contacts`
 Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics);
 
 /// How two frames are compared when two motions are aligned.

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include "kinefile/document.hpp"
+#include "kinefile/option.hpp"
 #include "kinefile/retime.hpp"
 
 #pragma GCC visibility push(default)
@@ -21,6 +26,26 @@ struct DocumentWarp {
   bool follows_contacts = false;  ///< time stretches where a foot is on the ground:
                                   ///< `contact_weights` replace the weights of `options`
 };
+
+/// The options of a warp: key, tail, curve, ease, contacts, allow-hold, allow-reverse, seconds. Of
+/// `WarpOptions::weights` there is none.
+std::span<const Option<DocumentWarp>> warp_options();
+
+/// The options of showing a motion at other times: rotation, antialias. `RetimeOptions::lenient` is
+/// not among them: it goes with the leniency of reading.
+std::span<const Option<RetimeOptions>> retime_options();
+
+/// The options of aligning two motions: by.
+std::span<const Option<AlignOptions>> align_options();
+
+/// A warp as the words of the command line that ask for it, without what is the default:
+/// {"--key", "150:160", "--tail", "extend"}. `warp_options` reads them as the same warp, except for
+/// `WarpOptions::weights`, which no option sets. Numbers are in their shortest exact form.
+/// \param warp  with keys and an ease that are finite
+std::vector<std::string> words_of(const DocumentWarp& warp);
+
+/// The same for how a motion is shown at other times, for `retime_options`.
+std::vector<std::string> words_of(const RetimeOptions& options);
 
 /// Finds the map through keys (see `warp_map`). Keys count frames of the motion, or of a body
 /// motion's main component. If frames have their own times, a new frame gets the time of the old

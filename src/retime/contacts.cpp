@@ -6,6 +6,7 @@
 
 #include "kinefile/evidence.hpp"
 #include "kinefile/retime.hpp"
+#include "kinematics/rates.hpp"
 #include "retime/feet.hpp"
 
 namespace kinefile::retime {
@@ -50,17 +51,15 @@ double ground_height(const std::vector<Vec3>& track, Eigen::Index up) {
   return heights[static_cast<std::size_t>(rank)];
 }
 
-/// The speed at a frame in units per second, between its neighbours.
+/// The speed at a frame in units per second.
 double speed_at(const std::vector<Vec3>& track, const Timeline& timeline, std::size_t frame) {
-  const std::size_t before = frame > 0 ? frame - 1 : frame;
-  const std::size_t after = std::min(frame + 1, track.size() - 1);
-  const double time = time_of_frame(timeline, after) - time_of_frame(timeline, before);
-  return (track[after] - track[before]).norm() / time;
+  const Neighbours around = neighbours_of(timeline, frame, track.size());
+  return per_second((track[around.after] - track[around.before]).norm(), around.seconds);
 }
 
-/// Marks the frames in which a point is on the ground for long enough.
-void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eigen::Index up,
-                   double metres, std::vector<double>& weights) {
+/// Adds the contacts of a point, which rests on the ground for long enough.
+void add_contacts(const FootPoint& point, const std::vector<Vec3>& track, const Timeline& timeline,
+                  Eigen::Index up, double metres, std::vector<GroundContact>& contacts) {
   const double highest = ground_height(track, up) + kMostHeight / metres;
   const auto rests = [&](std::size_t frame) {
     return track[frame][up] < highest && speed_at(track, timeline, frame) < kMostSpeed / metres;
@@ -75,8 +74,7 @@ void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eig
     }
     const double time = time_of_frame(timeline, end - 1) - time_of_frame(timeline, frame);
     if (time >= kLeastTime - kRounding) {
-      std::fill(weights.begin() + static_cast<std::ptrdiff_t>(frame),
-                weights.begin() + static_cast<std::ptrdiff_t>(end), 1.0);
+      contacts.push_back({point.joint, point.is_tip, point.tip, frame, end - frame});
     }
     frame = end;
   }
@@ -84,7 +82,7 @@ void mark_contacts(const std::vector<Vec3>& track, const Timeline& timeline, Eig
 
 }  // namespace
 
-Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics) {
+Result<std::vector<GroundContact>> ground_contacts(const Motion& motion, Diagnostics& diagnostics) {
   const auto points = find_foot_points(motion.skeleton);
   if (points.empty()) {
     return fail(make_error(ErrorKind::Usage, "RTM003",
@@ -94,9 +92,21 @@ Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& d
   const FootTracks tracks = track_feet(motion, points);
   const std::size_t up = settle_up_axis(motion, diagnostics).axis;
   const double metres = metres_per_unit(motion, up, diagnostics);
+  std::vector<GroundContact> contacts;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    add_contacts(points[p], tracks.positions[p], motion.clip.timeline,
+                 static_cast<Eigen::Index>(up), metres, contacts);
+  }
+  return contacts;
+}
+
+Result<std::vector<double>> contact_weights(const Motion& motion, Diagnostics& diagnostics) {
+  const auto contacts = ground_contacts(motion, diagnostics);
+  if (!contacts) return fail(contacts.error());
   std::vector<double> weights(motion.clip.num_frames, 0.0);
-  for (const auto& track : tracks.positions) {
-    mark_contacts(track, motion.clip.timeline, static_cast<Eigen::Index>(up), metres, weights);
+  for (const GroundContact& contact : *contacts) {
+    std::fill_n(weights.begin() + static_cast<std::ptrdiff_t>(contact.first_frame),
+                contact.num_frames, 1.0);
   }
   return weights;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "retime/ease.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -55,14 +58,14 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   return std::nullopt;
 }
 
+/// In the order of `Ease::Kind`.
+constexpr std::array<std::string_view, 7> kEaseNames = {"none", "smooth", "smoother", "in",
+                                                        "out",  "in-out", "bezier"};
+
 std::optional<Ease::Kind> kind_of(std::string_view name) {
-  if (name == "none") return Ease::Kind::None;
-  if (name == "smooth") return Ease::Kind::Smooth;
-  if (name == "smoother") return Ease::Kind::Smoother;
-  if (name == "in") return Ease::Kind::In;
-  if (name == "out") return Ease::Kind::Out;
-  if (name == "in-out") return Ease::Kind::InOut;
-  if (name == "bezier") return Ease::Kind::Bezier;
+  for (std::size_t kind = 0; kind < kEaseNames.size(); ++kind) {
+    if (kEaseNames[kind] == name) return static_cast<Ease::Kind>(kind);
+  }
   return std::nullopt;
 }
 
@@ -94,6 +97,15 @@ std::optional<Ease> parse_ease(std::string_view text) {
     return std::nullopt;
   }
   return is_valid(ease) ? std::optional(ease) : std::nullopt;
+}
+
+std::string word_of(const Ease& ease) {
+  const std::string_view name = kEaseNames[static_cast<std::size_t>(ease.kind)];
+  if (ease.kind == Ease::Kind::Bezier) {
+    return fmt::format("{}:{},{},{},{}", name, ease.x1, ease.y1, ease.x2, ease.y2);
+  }
+  const bool has_other_power = has_power(ease.kind) && ease.power != Ease{}.power;
+  return has_other_power ? fmt::format("{}:{}", name, ease.power) : std::string(name);
 }
 
 double ease_at(const Ease& ease, double u) {

@@ -126,6 +126,49 @@ TEST(ContactWeights, MotionsWithoutFramesHaveNone) {
   EXPECT_TRUE(weights_of(motion, {"RTM006"}).empty());
 }
 
+TEST(GroundContacts, AreRunsOfFramesOfAPoint) {
+  Motion motion = hopper();
+  motion.skeleton.metres_per_unit = 1;
+  motion.skeleton.joints[0].tips.push_back({"Crown", {0, 0.1, 0}});
+  motion.skeleton.joints[1].tips.push_back({"Toe", {0.1, -0.01, 0}});
+  Diagnostics diagnostics;
+  const auto contacts = retime::ground_contacts(motion, diagnostics);
+  ASSERT_TRUE(contacts);
+  ASSERT_EQ(contacts->size(), 4u);  // the foot before and after its flight, then its tip
+  EXPECT_EQ(test::text_of(diagnostics), "");
+  for (std::size_t c = 0; c < 4; ++c) {
+    const retime::GroundContact& contact = (*contacts)[c];
+    EXPECT_EQ(contact.joint, 1u);
+    EXPECT_EQ(contact.is_tip, c >= 2);
+    EXPECT_EQ(contact.tip, contact.is_tip ? 1u : 0u) << "after the crown";
+    const bool is_first = c % 2 == 0;
+    EXPECT_NEAR(double(contact.first_frame), is_first ? 0 : 100, 1) << c;
+    EXPECT_NEAR(double(contact.first_frame + contact.num_frames), is_first ? 50 : 150, 1) << c;
+  }
+}
+
+TEST(GroundContacts, AreWhereWeightsAreOne) {
+  Motion motion = hopper();
+  motion.skeleton.joints[1].tips.push_back({"Toe", {0.1, -0.01, 0}});
+  Diagnostics diagnostics;
+  const auto contacts = retime::ground_contacts(motion, diagnostics);
+  ASSERT_TRUE(contacts);
+  std::vector<double> expected(150, 0.0);
+  for (const retime::GroundContact& contact : *contacts) {
+    for (std::size_t f = 0; f < contact.num_frames; ++f) expected[contact.first_frame + f] = 1;
+  }
+  EXPECT_EQ(weights_of(motion, test::codes_of(diagnostics)), expected);
+}
+
+TEST(GroundContacts, ASingleFrameIsTooShort) {
+  Motion motion = hopper();
+  motion.clip.values.resize(1);
+  motion.clip.num_frames = 1;
+  const auto contacts = retime::ground_contacts(motion, test::ignored());
+  ASSERT_TRUE(contacts);
+  EXPECT_TRUE(contacts->empty());
+}
+
 TEST(ContactWeights, NeedFeet) {
   Motion motion = hopper();
   motion.skeleton.joints[1].name = "Eyeball";

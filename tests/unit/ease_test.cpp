@@ -50,6 +50,16 @@ TEST(Ease, EndsAreExact) {
   }
 }
 
+TEST(Ease, ItsWordIsReadAsTheSame) {
+  for (const char* name : {"none", "smooth", "smoother", "in", "out:3", "in-out:0.1",
+                           "in:0.30000000000000004", "bezier:0.25,-0.1,1,1e-07"}) {
+    const auto ease = retime::parse_ease(name);
+    ASSERT_TRUE(ease) << name;
+    EXPECT_EQ(retime::word_of(*ease), name);
+  }
+  EXPECT_EQ(retime::word_of(*retime::parse_ease("in:2")), "in");
+}
+
 TEST(Ease, WhatIsNoEaseIsNotRead) {
   for (const char* name : {"",
                            "Smooth",

@@ -55,7 +55,7 @@ PUBLIC = {
 
 # Third-party headers that public headers may show, and what only some layers may use.
 PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
-ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli"}
+ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli", "zlib.h": "cli"}
 # Of a format, the one that may use it.
 ONLY_IN_FORMAT = {"tinyxml2.h": "urdf"}
 DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")

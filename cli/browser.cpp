@@ -107,6 +107,7 @@ class BrowserPage {
     if (!attached) return fail(std::move(attached.error()));
     session_ = text_at(*attached, "/result/sessionId");
     auto enabled = call("Page.enable", Message::object());
+    if (enabled) enabled = call("Page.setLifecycleEventsEnabled", {{"enabled", true}});
     return enabled ? Result<void>() : fail(std::move(enabled.error()));
   }
 
@@ -116,7 +117,9 @@ class BrowserPage {
     if (!answer) return fail(std::move(answer.error()));
     const std::string fault = text_at(*answer, "/result/errorText");
     if (!fault.empty()) return fail(page_failed(fault));
-    while (!events_.contains("Page.loadEventFired")) {
+    // The empty page may tell only now that it was loaded; its loader is another.
+    const std::string loader = text_at(*answer, "/result/loaderId");
+    while (!loaded_.contains(loader)) {
       auto message = receive();
       if (!message) return fail(std::move(message.error()));
     }
@@ -150,12 +153,14 @@ class BrowserPage {
     }
   }
 
-  /// The next message; one that is an event is noted.
+  /// The next message. If it tells that something was loaded, this is noted.
   Result<Message> receive() {
     auto text = browser_.receive(deadline_);
     if (!text) return fail(std::move(text.error()));
     Message message = Message::parse(*text, nullptr, false);
-    events_.insert(text_at(message, "/method"));
+    const bool is_loaded = text_at(message, "/method") == "Page.lifecycleEvent" &&
+                           text_at(message, "/params/name") == "load";
+    if (is_loaded) loaded_.insert(text_at(message, "/params/loaderId"));
     return message;
   }
 
@@ -172,7 +177,7 @@ class BrowserPage {
   BrowserProcess& browser_;
   Deadline deadline_;
   std::string session_;
-  std::set<std::string> events_;
+  std::set<std::string> loaded_;  ///< the loaders that have loaded their page
   int num_calls_ = 0;
 };
 

@@ -18,8 +18,10 @@ RESULTS = {
     "Target.createTarget": {"targetId": "T"},
     "Target.attachToTarget": {"sessionId": "S"},
     "Page.enable": {},
-    "Page.navigate": {"frameId": "F"},
+    "Page.setLifecycleEventsEnabled": {},
+    "Page.navigate": {"frameId": "F", "loaderId": "of the page"},
 }
+LOADERS = {"Page.setLifecycleEventsEnabled": "of the empty page", "Page.navigate": "of the page"}
 
 
 def evaluated(expression):
@@ -44,8 +46,9 @@ def answer(message):
         path = urllib.parse.unquote(parameters["url"].removeprefix("file://"))
         assert '<script id="motion"' in open(path, encoding="utf-8").read()
     send({"id": message["id"], "result": result})
-    if method == "Page.navigate":
-        send({"method": "Page.loadEventFired", "params": {}, "sessionId": "S"})
+    if method in LOADERS:
+        send({"method": "Page.lifecycleEvent", "sessionId": "S",
+              "params": {"name": "load", "loaderId": LOADERS[method]}})
 
 
 def main():

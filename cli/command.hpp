@@ -87,6 +87,7 @@ void add_run(CLI::App& app, Globals& globals);
 void add_graph(CLI::App& app, Globals& globals);
 void add_keyframe(CLI::App& app, Globals& globals);
 void add_servo_map(CLI::App& app, Globals& globals);
+void add_view(CLI::App& app, Globals& globals);
 void add_formats(CLI::App& app, Globals& globals);
 
 /// Writes the man page, or the completions for a shell: "man", "bash", "zsh" or "fish".

@@ -75,14 +75,6 @@ std::vector<std::string> pose_formats() {
   return names;
 }
 
-/// Reports the error that stopped a command, unless it is among the diagnostics that were printed.
-int report(Error error, const Diagnostics& diagnostics, const std::string& file,
-           const Globals& globals) {
-  if (error.place.source.empty()) error.place.source = file;
-  if (!diagnostics.has_errors()) print_error(error, globals);
-  return exit_code_of(error);
-}
-
 /// Prints how far kinematics and the recorded poses of links differ, one row per link.
 int compare(const Fk& fk, const Document& document, const Globals& globals) {
   if (fk.reading.skeleton.empty() || !std::holds_alternative<BodyMotion>(document.content)) {
@@ -93,7 +85,7 @@ int compare(const Fk& fk, const Document& document, const Globals& globals) {
   const auto deviations =
       compare_links(document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
-  if (!deviations) return report(deviations.error(), diagnostics, fk.file, globals);
+  if (!deviations) return print_failure(deviations.error(), diagnostics, fk.file, globals);
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   std::string text = "link,distance,distance_frame,degrees,degrees_frame\n";
   for (const robot::LinkDeviation& deviation : *deviations) {
@@ -120,7 +112,7 @@ int run(const Fk& fk, const Globals& globals) {
   auto placed =
       place(*document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
-  if (!placed) return report(placed.error(), diagnostics, fk.file, globals);
+  if (!placed) return print_failure(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   const auto table = kinefile::fk(std::move(*placed), options_of(fk));

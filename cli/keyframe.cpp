@@ -78,9 +78,7 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   diagnostics.warnings_are_errors = keyframe.reading.is_strict;
   const auto finish = [&](Error error) {
     print_diagnostics(stderr, diagnostics, globals);
-    if (error.place.source.empty()) error.place.source = keyframe.file;
-    if (!diagnostics.has_errors()) print_error(error, globals);
-    return static_cast<int>(exit_code_of(error));
+    return print_failure(std::move(error), diagnostics, keyframe.file, globals);
   };
   if (const auto effect = expect_options_of(keyframe.reading, format); !effect) {
     return finish(effect.error());

@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   add_graph(app, globals);
   add_keyframe(app, globals);
   add_servo_map(app, globals);
+  add_view(app, globals);
   add_formats(app, globals);
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]).starts_with("--generate")) app.require_subcommand(0);

@@ -132,6 +132,7 @@ Result<std::shared_ptr<const RobotProject>> load_project(const Reading& reading,
   if (reading.project.empty() || reading.loaded_project) return reading.loaded_project;
   ReadOptions options;
   options.lenient = reading.is_lenient;
+  options.opened = reading.options.opened;
   auto project = read_project_file(reading.project, options, diagnostics);
   if (!project) return fail(std::move(project.error()));
   reading.loaded_project = std::make_shared<const RobotProject>(std::move(*project));

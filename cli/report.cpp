@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <utility>
 
 namespace kinefile::cli {
 namespace {
@@ -71,6 +72,23 @@ void print_error(const Error& error, const Globals& globals) {
   const std::string pipe_closed = fmt::format("cannot write: {}", std::strerror(EPIPE));
   if (error.place.source == "<stdout>" && error.message == pipe_closed) return;
   print_one(stderr, error, wants_color(stderr, globals));
+}
+
+int print_failure(Error error, const Diagnostics& diagnostics, const std::string& file,
+                  const Globals& globals) {
+  if (error.place.source.empty()) error.place.source = file;
+  if (!diagnostics.has_errors()) print_error(error, globals);
+  return exit_code_of(error);
+}
+
+Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict) {
+  Diagnostics diagnostics;
+  diagnostics.warnings_are_errors = is_strict;
+  for (Diagnostic item : noticed.items()) {
+    if (item.place.source.empty()) item.place.source = file;
+    diagnostics.add(std::move(item));
+  }
+  return diagnostics;
 }
 
 void print_data(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }

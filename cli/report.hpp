@@ -14,6 +14,15 @@ void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const 
 /// Prints an error that is not among diagnostics, on stderr.
 void print_error(const Error& error, const Globals& globals);
 
+/// Prints the error that ended a command, unless it is among the diagnostics, which were printed.
+/// \param file  the source of an error without a place
+/// \returns the program's exit code
+int print_failure(Error error, const Diagnostics& diagnostics, const std::string& file,
+                  const Globals& globals);
+
+/// The diagnostics of an operation, whose sources are empty, with the name of the file.
+Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict);
+
 /// Prints data on stdout. `finish_output` detects faults.
 void print_data(std::string_view text);
 

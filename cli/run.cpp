@@ -84,17 +84,6 @@ Result<RunSettings> settings_of(const Run& run, Diagnostics& diagnostics) {
   return settings;
 }
 
-/// The diagnostics of a run, with the name of the file.
-Diagnostics named(const Diagnostics& noticed, const Run& run) {
-  Diagnostics diagnostics;
-  diagnostics.warnings_are_errors = run.reading.is_strict;
-  for (Diagnostic item : noticed.items()) {
-    if (item.place.source.empty()) item.place.source = run.file;
-    diagnostics.add(std::move(item));
-  }
-  return diagnostics;
-}
-
 /// Whether a format is a table with a column a value.
 bool is_table(const Format& format) { return format.conventions.has_columns_of_components; }
 
@@ -159,12 +148,10 @@ Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun&
 /// \returns the exit code
 int report_run(const Run& run, const Diagnostics& noticed, Result<void> done,
                const Globals& globals) {
-  const Diagnostics diagnostics = named(noticed, run);
+  const Diagnostics diagnostics = named(noticed, run.file, run.reading.is_strict);
   print_diagnostics(stderr, diagnostics, globals);
   if (done) return diagnostics.has_errors() ? kInvalid : kDone;
-  if (done.error().place.source.empty()) done.error().place.source = run.file;
-  if (!diagnostics.has_errors()) print_error(done.error(), globals);
-  return exit_code_of(done.error());
+  return print_failure(std::move(done.error()), diagnostics, run.file, globals);
 }
 
 int run_command(const Run& run, const Globals& globals) {
@@ -189,7 +176,7 @@ int run_command(const Run& run, const Globals& globals) {
       document_of_run(*done, *settings->servo_map, source_of_skeleton(run.reading), noticed);
   if (!document) return report_run(run, noticed, fail(document.error()), globals);
   const Format& format = *format_of(run);
-  Diagnostics diagnostics = named(noticed, run);
+  Diagnostics diagnostics = named(noticed, run.file, run.reading.is_strict);
   return write_document({}, std::move(*document), format, run.writing, run.file, run.reading,
                         diagnostics, globals);
 }

@@ -23,6 +23,19 @@ inline DocumentSource source_of(const std::string& path, const Reading& reading)
   };
 }
 
+/// The same document, which is read only once: its diagnostics come the first time.
+inline DocumentSource read_once(DocumentSource source) {
+  if (!source) return source;
+  auto known = std::make_shared<std::shared_ptr<const Document>>();
+  return [known, source = std::move(source)](
+             Diagnostics& diagnostics) -> Result<std::shared_ptr<const Document>> {
+    if (*known != nullptr) return *known;
+    auto read = source(diagnostics);
+    if (read) *known = *read;
+    return read;
+  };
+}
+
 /// The skeleton or robot that `--skeleton` names; null if none is given.
 /// \param reading  must outlive the source
 inline DocumentSource source_of_skeleton(const Reading& reading) {

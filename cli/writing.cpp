@@ -130,10 +130,7 @@ int write_document(Result<void> made, Document&& document, const Format& format,
   if (made) made = write_adapted(std::move(document), format, writing, reading, diagnostics);
   print_diagnostics(stderr, diagnostics, globals);
   if (made) return kDone;
-  if (made.error().place.source.empty()) made.error().place.source = source;
-  // A warning that --strict made an error has been printed already.
-  if (!diagnostics.has_errors()) print_error(made.error(), globals);
-  return exit_code_of(made.error());
+  return print_failure(std::move(made.error()), diagnostics, source, globals);
 }
 
 }  // namespace kinefile::cli

@@ -56,7 +56,8 @@ PUBLIC = {
 
 # Third-party headers that public headers may show, and what only some layers may use.
 PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
-ONLY_IN = {"hwy/": ("simd",), "fast_float/": ("text",), "CLI/": ("cli",), "nlohmann/": ("cli", "wasm")}
+ONLY_IN = {"hwy/": ("simd",), "fast_float/": ("text",), "CLI/": ("cli",), "nlohmann/": ("cli", "wasm"),
+           "zlib.h": ("cli",)}
 # Of a format, the one that may use it.
 ONLY_IN_FORMAT = {"tinyxml2.h": "urdf"}
 DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")

@@ -70,6 +70,9 @@ struct ReadOptions {
   /// A folder above that of a robot's model, in which and below which files that the model names
   /// may be; empty: in its own folder and below. `read_file` makes `companions` by it.
   std::string model_root = {};
+  /// `read_file` and `read_project_file` add every file that they open here: the file itself first,
+  /// then its companions and the skeleton, each as often as it is opened. Null: nobody asks.
+  std::shared_ptr<std::vector<CompanionFile>> opened = nullptr;
   /// For a flow: the robot's project, to convert degrees and to check words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
   FormatOptions of_formats = {};  ///< options of single formats: `bvh::ReadOptions`, ...

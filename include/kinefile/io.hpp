@@ -57,7 +57,8 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
                            Diagnostics& diagnostics);
 
 /// Reads a robot's project and the files that it names, which are in its folder or below.
-/// \param options  encoding and leniency; the source name and the companions are set here
+/// \param options  encoding, leniency and who records files; the source name and the companions are
+///                 set here
 /// \errors IO001 if the file cannot be read, those of `read_project`
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics);

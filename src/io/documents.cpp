@@ -25,6 +25,28 @@ std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   return names;
 }
 
+using OpenedFiles = std::shared_ptr<std::vector<CompanionFile>>;
+
+/// Opens a file, and adds it to those that were opened.
+Result<FileBytes> open_recorded(const std::string& path, const std::string& source_name,
+                                const OpenedFiles& opened) {
+  auto bytes = FileBytes::open(path);
+  if (bytes && opened) opened->push_back({source_name, bytes->view(), bytes->owner()});
+  return bytes;
+}
+
+/// The same files; each one that is found is added to those that were opened.
+Resolver recording(Resolver inner, const OpenedFiles& opened) {
+  if (!opened || !inner.open) return inner;
+  Resolver recorder = inner;
+  recorder.open = [open = std::move(inner.open), opened](const std::string& name) {
+    auto found = open(name);
+    if (found) opened->push_back(*found);
+    return found;
+  };
+  return recorder;
+}
+
 /// Reads the skeleton that the caller named, when a motion needs it.
 Result<void> read_skeleton(const std::string& path, ReadOptions& options,
                            Diagnostics& diagnostics) {
@@ -34,6 +56,7 @@ Result<void> read_skeleton(const std::string& path, ReadOptions& options,
   skeleton_options.metres_per_unit = options.metres_per_unit;
   skeleton_options.up = options.up;
   skeleton_options.model_root = options.model_root;
+  skeleton_options.opened = options.opened;
   auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
   if (!skeleton) return fail(std::move(skeleton.error()));
   options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
@@ -121,8 +144,8 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics) {
   const std::string path = format != nullptr ? path_in_set(name, *format) : name;
-  const auto bytes = FileBytes::open(path);
   const std::string source_name = path == "-" ? "<stdin>" : path;
+  const auto bytes = open_recorded(path, source_name, options.opened);
   if (!bytes) return fail(bytes.error());
   std::error_code fault;
   if (!options.model_root.empty() && !std::filesystem::is_directory(options.model_root, fault)) {
@@ -132,6 +155,7 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
   if (path != "-" && !options.companions.open) {
     options.companions = files_beside(path, options.model_root);
   }
+  options.companions = recording(std::move(options.companions), options.opened);
   return read_bytes(bytes->view(), source_name, format, std::move(options), diagnostics);
 }
 
@@ -197,8 +221,8 @@ Result<void> write_companion(const std::string& path, const Document& document,
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics) {
   options.source_name = path == "-" ? "<stdin>" : path;
-  options.companions = files_beside(path);
-  const auto bytes = FileBytes::open(path);
+  options.companions = recording(files_beside(path), options.opened);
+  const auto bytes = open_recorded(path, options.source_name, options.opened);
   if (!bytes) return fail(bytes.error());
   return read_project(bytes->view(), options, diagnostics);
 }

@@ -172,6 +172,39 @@ TEST_F(Disk, FilesOutsideOfAFolderAreFoundBelowTheRootAlone) {
   EXPECT_FALSE(opens(files_beside(arm, path("top/han")), "../hand/Hand.body"));
 }
 
+TEST_F(Disk, FilesThatAreOpenedAreRecorded) {
+  fs::create_directories(folder_ / "parts");
+  const std::string arm =
+      "format: ChoreonoidBody\nformat_version: 2.0\nlinks:\n  - { name: A }\n  - { "
+      "type: SubBody, uri: parts/hand.body, parent: A, prefix: L_ }\n";
+  const std::string hand = "format: ChoreonoidBody\nformat_version: 2.0\nlinks: [ { name: H } ]\n";
+  put("arm.body", arm);
+  put("parts/hand.body", hand);
+  put("unused.body", hand);
+  ReadOptions options;
+  options.opened = std::make_shared<std::vector<CompanionFile>>();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_file(path("arm.body"), nullptr, options, diagnostics));
+  ASSERT_EQ(options.opened->size(), 2u) << test::text_of(diagnostics);
+  EXPECT_EQ(options.opened->at(0).name, path("arm.body"));
+  EXPECT_EQ(options.opened->at(0).bytes, arm);
+  EXPECT_EQ(options.opened->at(1).name, path("parts/hand.body"));
+  EXPECT_EQ(options.opened->at(1).bytes, hand);
+}
+
+TEST_F(Disk, TheSkeletonThatIsNamedIsRecordedAfterTheMotion) {
+  put("figure.asf", test::fixture("acclaim/invalid/arm.asf"));
+  put("move.amc", ":FULLY-SPECIFIED\n:DEGREES\n1\n");
+  ReadOptions options;
+  options.skeleton_name = path("figure.asf");
+  options.opened = std::make_shared<std::vector<CompanionFile>>();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_file(path("move.amc"), nullptr, options, diagnostics));
+  ASSERT_EQ(options.opened->size(), 2u) << test::text_of(diagnostics);
+  EXPECT_EQ(options.opened->at(0).name, path("move.amc"));
+  EXPECT_EQ(options.opened->at(1).name, path("figure.asf"));
+}
+
 TEST_F(Disk, TheModelRootIsAFolder) {
   put("a.body", "format: ChoreonoidBody\nformat_version: 2.0\nlinks: [ { name: A } ]\n");
   Diagnostics diagnostics;

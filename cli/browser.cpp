@@ -106,7 +106,8 @@ class BrowserPage {
                          {{"targetId", text_at(*target, "/result/targetId")}, {"flatten", true}});
     if (!attached) return fail(std::move(attached.error()));
     session_ = text_at(*attached, "/result/sessionId");
-    auto enabled = call("Page.enable", Message::object());
+    auto enabled = call("Inspector.enable", Message::object());
+    if (enabled) enabled = call("Page.enable", Message::object());
     if (enabled) enabled = call("Page.setLifecycleEventsEnabled", {{"enabled", true}});
     return enabled ? Result<void>() : fail(std::move(enabled.error()));
   }
@@ -153,14 +154,19 @@ class BrowserPage {
     }
   }
 
-  /// The next message. If it tells that something was loaded, this is noted.
+  /// The next message. If it tells that something was loaded, this is noted; if the page crashed,
+  /// that is the error.
   Result<Message> receive() {
     auto text = browser_.receive(deadline_);
     if (!text) return fail(std::move(text.error()));
     Message message = Message::parse(*text, nullptr, false);
-    const bool is_loaded = text_at(message, "/method") == "Page.lifecycleEvent" &&
-                           text_at(message, "/params/name") == "load";
-    if (is_loaded) loaded_.insert(text_at(message, "/params/loaderId"));
+    const std::string method = text_at(message, "/method");
+    if (method == "Inspector.targetCrashed") {
+      return fail(page_failed("a crash; the page may need more memory than there is"));
+    }
+    const bool is_load = text_at(message, "/params/name") == "load";
+    if (method == "Page.lifecycleEvent" && is_load)
+      loaded_.insert(text_at(message, "/params/loaderId"));
     return message;
   }
 

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Stands for a Chromium browser in tests of `kinefile view --png`: it answers the messages that the
 command sends. FAKE_BROWSER says what it does: "picture" gives a PNG of no content, "exception" a page
-that fails, "text" no PNG, "exit" ends at once, "hang" never answers. It starts a child that would
-live on, and writes the process ids and the words that it was started with into FAKE_BROWSER_LOG."""
+that fails, "crash" one that crashes, "text" no PNG, "exit" ends at once, "hang" never answers. It
+starts a child that would live on, and writes the process ids and the words that it was started with
+into FAKE_BROWSER_LOG."""
 
 import base64
 import json
@@ -17,6 +18,7 @@ PNG = b"\x89PNG\r\n\x1a\n" + b"no content"
 RESULTS = {
     "Target.createTarget": {"targetId": "T"},
     "Target.attachToTarget": {"sessionId": "S"},
+    "Inspector.enable": {},
     "Page.enable": {},
     "Page.setLifecycleEventsEnabled": {},
     "Page.navigate": {"frameId": "F", "loaderId": "of the page"},
@@ -38,6 +40,8 @@ def send(message):
 
 def answer(message):
     method, parameters = message["method"], message["params"]
+    if method == "Runtime.evaluate" and MODE == "crash":
+        return send({"method": "Inspector.targetCrashed", "params": {}, "sessionId": "S"})
     if method == "Runtime.evaluate":
         result = evaluated(parameters["expression"])
     else:

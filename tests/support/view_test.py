@@ -217,6 +217,8 @@ class View(unittest.TestCase):
     def test_what_goes_wrong_in_a_browser_is_told(self):
         cases = {
             "exception": "error[PAG004]: expected a picture from the page, found: Error: no WebGL",
+            "crash": "error[PAG004]: expected a picture from the page, found: a crash; the page may "
+                     "need more memory than there is",
             "text": "error[PAG004]: expected a picture from the page, found: no PNG",
             "exit": "error[PAG003]: expected a picture from the browser, found that it ended; it "
                     "may lack a library or the right to make its sandbox"}

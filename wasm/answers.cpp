@@ -58,12 +58,13 @@ std::size_t count_of(const Json& question, const char* key, std::size_t most) {
 }
 
 Opening opening_of(const Json& question) {
+  const Json options = question.value("options", Json::object());
   return {.path = text_of(question, "path"),
-          .from = text_of(question, "from"),
+          .from = text_of(options, "from"),
           .skeleton = text_of(question, "skeleton"),
           .servo_map = text_of(question, "servo_map"),
           .project = text_of(question, "project"),
-          .options = question.value("options", Json::object())};
+          .options = options};
 }
 
 /// Opens one file, or opens it again in place of a document: {"path", "skeleton", "servo_map",

@@ -25,6 +25,7 @@ Result<ReadOptions> read_options(const Opening& opening) {
   Json words = opening.options;
   options.lenient = words.value("lenient", false);
   words.erase("lenient");
+  words.erase("from");  // names the format, see `Opening`
   std::vector<std::span<const ReadOption>> tables;
   for (const Format& format : formats()) tables.push_back(format.read_options);
   auto set = set_options<ReadOptions>(options, words, tables);

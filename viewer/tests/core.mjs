@@ -30,8 +30,7 @@ export async function openCore() {
       const asked = JSON.stringify({ask: question, ...of});
       const text = withText(asked, (at) => core.UTF8ToString(core._kinefile_answer(at)));
       return JSON.parse(text, (_, value) => {
-        const isPlace =
-          typeof value === 'object' && value !== null && 'size' in value;
+        const isPlace = typeof value === 'object' && value !== null && 'size' in value;
         if (!isPlace) return value;
         if (value.name === undefined) {
           const heap = question === 'poses' ? core.HEAPF32 : core.HEAPF64;

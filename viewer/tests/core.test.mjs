@@ -6,7 +6,7 @@ import {existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync} fr
 import {tmpdir} from 'node:os';
 import {basename, join} from 'node:path';
 import {test} from 'node:test';
-import {data, run} from './browser.mjs';
+import {data, root, run} from './browser.mjs';
 import {openCore} from './core.mjs';
 
 const real = join(data, 'bvh/real');
@@ -73,4 +73,95 @@ test('a failure has its place', async () => {
   assert.equal(answer.diagnostics[0].file, 'cut.bvh');
   assert.equal(answer.diagnostics[0].line, 5);
   assert.match(answer.diagnostics[0].code, /^BVH/);
+});
+
+const example = (name) => readFileSync(join(root, 'examples', name));
+
+/** What became of each file: {"walk.amc": "document", ...}. */
+const whats = ({opened}) => Object.fromEntries(opened.map(({path, what}) => [path, what]));
+
+test('the position of the Chest is that of the document', async () => {
+  const core = await openCore();
+  core.addFile('a.bvh', readFileSync(join(root, 'tests/formats/bvh/valid/spec_example.bvh')));
+  const {handle, document} = core.ask('open', {path: 'a.bvh'});
+  const joint = document.joints.findIndex(({name}) => name === 'Chest');
+  const {position} = core.ask('joint', {handle, joint, frame: 0});
+  assert.deepEqual(
+    position.map((value) => value.toFixed(5)),
+    ['8.32964', '40.03869', '89.68911'],
+  );
+});
+
+test('an AMC takes the ASF beside it, whichever comes first', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  run('convert', join(root, 'tests/formats/bvh/valid/spec_example.bvh'), join(folder, 'a.amc'));
+  const core = await openCore();
+  core.addFile('in/a.amc', readFileSync(join(folder, 'a.amc')));
+  const alone = core.ask('open_all', {paths: ['in/a.amc']});
+  assert.equal(alone.opened[0].what, 'fault');
+  assert.match(alone.opened[0].diagnostics[0].code, /^AMC/);
+  core.addFile('in/a.asf', readFileSync(join(folder, 'a.asf')));
+  const both = core.ask('open_all', {paths: ['in/a.amc', 'in/a.asf']});
+  assert.deepEqual(whats(both), {'in/a.amc': 'document', 'in/a.asf': 'companion'});
+  assert.equal(both.documents.length, 1);
+});
+
+test('a robot carries the body motion and the flow that come with it or before it', async () => {
+  const core = await openCore();
+  core.addFile('bow.seq', example('bow.seq'));
+  const alone = core.ask('open_all', {paths: ['bow.seq']});
+  const {handle} = alone.opened[0];
+  for (const name of ['robot.body', 'wave.txt', 'servos.yaml']) core.addFile(name, example(name));
+  const all = core.ask('open_all', {paths: ['robot.body', 'servos.yaml', 'wave.txt']});
+  assert.deepEqual(whats(all), {
+    'robot.body': 'companion',
+    'servos.yaml': 'companion',
+    'wave.txt': 'document',
+  });
+  assert.equal(all.documents.length, 2);
+  for (const {document} of all.documents) {
+    assert.equal(document.skeleton, 'robot.body');
+    assert.equal(document.is_robot, true);
+  }
+  assert.equal(all.documents[0].handle, handle);
+});
+
+test('a list of steps replaces another, and a refused one changes nothing', async () => {
+  const core = await openCore();
+  core.addFile('a.bvh', readFileSync(join(root, 'tests/formats/bvh/valid/spec_example.bvh')));
+  const {handle, document} = core.ask('open', {path: 'a.bvh'});
+  assert.equal(document.time.num_frames, 2);
+  const looped = core.ask('edit', {handle, steps: [{operation: 'loop=3'}]});
+  assert.equal(looped.document.time.num_frames, 6);
+  const refused = core.ask('edit', {handle, steps: [{operation: 'trim=4:9'}]});
+  assert.match(refused.error.message, /frames/);
+  const warp = {key: ['1:4'], tail: 'extend'};
+  const warped = core.ask('edit', {handle, steps: [{operation: 'loop=3'}, {warp}]});
+  assert.deepEqual(warped.document.source_frames, [0, 0.25, 0.5, 0.75, 1, 2, 3, 4, 5]);
+  assert.equal(core.ask('edit', {handle, steps: []}).document.time.num_frames, 2);
+  const words = core.ask('edit', {handle, steps: [{warp: {key: ['1:4'], tail: 'sideways'}}]});
+  assert.match(words.error.message, /tail/);
+});
+
+test('a motion is written as the command writes it, and its source is given back', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  const path = join(root, 'tests/formats/bvh/valid/spec_example.bvh');
+  const core = await openCore();
+  core.addFile('a.bvh', readFileSync(path));
+  const {handle} = core.ask('open', {path: 'a.bvh'});
+  for (const name of ['b.bvh', 'b.amc', 'b.seq', 'b.csv']) {
+    run('convert', path, join(folder, name), '--quiet');
+    const {files} = core.ask('write', {handle, name});
+    for (const file of files) {
+      assert.equal(
+        Buffer.from(file.bytes).toString(),
+        readFileSync(join(folder, file.name), 'utf8'),
+        file.name,
+      );
+    }
+  }
+  const {files} = core.ask('source', {path: 'a.bvh'});
+  assert.deepEqual(Buffer.from(files[0].bytes), readFileSync(path));
 });

@@ -201,7 +201,6 @@ export interface Questions {
   open: {
     ask: {
       path: string;
-      from?: string;
       skeleton?: string;
       servo_map?: string;
       project?: string;
@@ -239,6 +238,9 @@ export interface Questions {
     ask: {handle: number; name: string; format?: string};
     answer: {files: WrittenFile[]; diagnostics: Diagnostic[]};
   };
-  write_poses: {ask: {handle: number; name: string; tips?: boolean}; answer: {files: WrittenFile[]}};
+  write_poses: {
+    ask: {handle: number; name: string; tips?: boolean};
+    answer: {files: WrittenFile[]};
+  };
   source: {ask: {path: string}; answer: {files: WrittenFile[]}};
 }

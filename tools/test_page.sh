@@ -7,4 +7,4 @@ set -eu
 cd viewer
 node_modules/.bin/tsc --noEmit
 node_modules/.bin/biome check .
-node --test --test-concurrency=2 tests/
+node --test --test-concurrency=2 tests/*.test.mjs

@@ -56,8 +56,6 @@ PUBLIC = {
 # Third-party headers that public headers may show, and what only some layers may use.
 PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
 ONLY_IN = {"hwy/": "simd", "fast_float/": "text", "CLI/": "cli", "nlohmann/": "cli"}
-# Of a format, the one that may use it.
-ONLY_IN_FORMAT = {"tinyxml2.h": "urdf"}
 DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")
 
 FORMAT_NAMES = ("bvh", "asf", "amc", "choreonoid", "robovie", "body", "wrl", "urdf", "hrpsys",
@@ -100,8 +98,6 @@ def faults_of(path):
             for prefix, only in ONLY_IN.items():
                 if name.startswith(prefix) and layer != only:
                     yield f"{name} belongs to {only}"
-            if own_format != ONLY_IN_FORMAT.get(name, own_format):
-                yield f"{name} belongs to format {ONLY_IN_FORMAT[name]}"
             if bracket == "<" and name in DISK_HEADERS and layer not in ("io", "cli"):
                 yield f"only io touches the disk: {name}"
             if path.is_relative_to(ROOT / "include") and "/" in name and not \

@@ -9,13 +9,13 @@
 set -eu
 
 demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-dev
-  libfast-float-dev libexpected-dev libhwy-dev libtinyxml2-dev nlohmann-json3-dev'
+  libfast-float-dev libexpected-dev libhwy-dev nlohmann-json3-dev'
 bench="$demo libbenchmark-dev libyaml-dev"
 test="$bench googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten python3"
 
 demo_tools='cmake ninja c++'
-demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, tinyxml2, nlohmann-json'
+demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, nlohmann-json'
 bench_libraries="$demo_libraries, Google Benchmark, libyaml"
 test_tools="$demo_tools g++ pkg-config clang++-14 clang-format-14 emcc python3 node"
 test_libraries="$bench_libraries, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"

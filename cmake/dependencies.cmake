@@ -19,7 +19,6 @@ else()
   find_path(fast_float_folder fast_float/fast_float.h REQUIRED)  # headers alone, without a package
   find_package(tl-expected REQUIRED)
   find_package(hwy REQUIRED)
-  find_package(tinyxml2 REQUIRED)  # no header-only one: the browser build reads no URDF
   target_link_libraries(kinefile_headers INTERFACE Eigen3::Eigen tl::expected)
 endif()
 target_compile_definitions(kinefile_headers INTERFACE FMT_HEADER_ONLY EIGEN_MPL2_ONLY)

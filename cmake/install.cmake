@@ -7,8 +7,8 @@ install(TARGETS kinefile EXPORT kinefile_targets
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/kinefile"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 # Who links the static library links what it uses, too.
-set(kinefile_static_libraries "-lhwy -ltinyxml2")
-set(kinefile_static_packages "find_dependency(hwy)\nfind_dependency(tinyxml2)\n")
+set(kinefile_static_libraries "-lhwy")
+set(kinefile_static_packages "find_dependency(hwy)\n")
 if(BUILD_SHARED_LIBS)
   set(kinefile_private_libraries "${kinefile_static_libraries}")
   set(kinefile_static_libraries "")

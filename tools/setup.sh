@@ -10,7 +10,7 @@
 set -eu
 
 demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-dev
-  libfast-float-dev libexpected-dev libhwy-dev libtinyxml2-dev nlohmann-json3-dev
+  libfast-float-dev libexpected-dev libhwy-dev nlohmann-json3-dev
   zlib1g-dev'
 web="$demo emscripten"
 bench="$demo libbenchmark-dev libyaml-dev"
@@ -18,7 +18,7 @@ test="$bench chromium fonts-vlgothic googletest clang-14 libclang-rt-14-dev clan
   emscripten python3"
 
 demo_tools='cmake ninja c++'
-demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, tinyxml2, nlohmann-json, zlib'
+demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, nlohmann-json, zlib'
 bench_libraries="$demo_libraries, Google Benchmark, libyaml"
 web_tools="$demo_tools emcc node npm"
 test_tools="$web_tools chromium g++ pkg-config clang++-14 clang-format-14 python3"

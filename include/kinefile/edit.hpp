@@ -46,16 +46,16 @@ Motion reverse(Motion motion);
 Result<Motion> mirror(const Motion& motion, std::optional<std::size_t> axis, bool lenient,
                       Diagnostics& diagnostics);
 
-/// All lengths times a factor: offsets, tips, positions. The factor is above 0.
+/// All lengths times a factor: offsets, tips, shapes, positions. The factor is above 0.
 Motion scale(Motion motion, double factor);
 
 /// The same motion in coordinates in which another axis points up: rotated by 90 degrees.
 /// The skeleton's offsets and axes are rotated too, so that values stay the same bit for bit. Only
 /// where an axis would point along -x, -y or -z, the axis is reversed and its column changes sign.
-/// A change to z and back to y restores the same skeleton and the same bits. If that axis points up
-/// already (see `find_up_axis`), nothing changes and a note (EDT009) reports it. From then on the
-/// axis is known (`Skeleton::up`).
-/// \param axis  1 for y, 2 for z
+/// A change to z and back to y restores the same skeleton and the same bits, rotations of shapes
+/// but for rounding. If that axis points up already (see `find_up_axis`), nothing changes and a
+/// note (EDT009) reports it. From then on the axis is known (`Skeleton::up`). \param axis  1 for y,
+/// 2 for z
 Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
 
 /// The motion in place: the joints that carry it (see `find_travellers`) stay above their start
@@ -89,8 +89,9 @@ Result<Motion> append(Motion first, const Motion& second, std::size_t num_blend_
 
 /// The motion of some joints and all their ancestors, which keep their positions in the world. A
 /// joint that loses all children and has no tip gets tips where they were; a child that was
-/// translated gives a warning (EDT010). The columns of removed joints are removed unless a
-/// remaining joint reads them.
+/// translated gives a warning (EDT010). Shapes of removed joints that cannot move go to the joint
+/// that remains above them. The columns of removed joints are removed unless a remaining joint
+/// reads them.
 /// \param names  case is ignored unless two joints differ by case alone; `*` stands for any
 ///               characters
 /// \errors EDT006 (Usage) if no joint has a given name

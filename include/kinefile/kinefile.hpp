@@ -51,4 +51,5 @@
 #include "kinefile/skeleton.hpp"
 #include "kinefile/timeline.hpp"
 #include "kinefile/version.hpp"
+#include "kinefile/visual_shape.hpp"
 #include "kinefile/world_poses.hpp"

@@ -25,9 +25,10 @@ Motion with_plain_values(const Motion& motion);
 /// nearest to the previous frame. Joints that move freely stay.
 Motion with_angles(const Motion& motion, const RotationOrder& order);
 
-/// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets, axes
-/// and tips are rotated, rest rotations become identity. Values stay the same bit for bit.
-/// \errors BRG001 (DataLoss) if a joint that moves freely, or has a ball or a rotation vector, or
+/// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets,
+/// axes, tips and shapes are rotated, rest rotations become identity. Values stay the same bit for
+/// bit. \errors BRG001 (DataLoss) if a joint that moves freely, or has a ball or a rotation vector,
+/// or
 ///         one of its ancestors, has a rest rotation
 Result<Motion> with_world_aligned_rest(const Motion& motion);
 
@@ -61,10 +62,10 @@ Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagn
 
 /// The same motion without the helper bones that `with_bones` adds: joints below a root whose names
 /// end in `_kf_helper`, without degrees of freedom, columns and rest rotations. Children of a
-/// helper bone are attached to its parent, with the sum of the offsets; the tips that it leads to
-/// become tips of its parent; a root called "root" gets the name that its first bone keeps, if no
-/// joint has it. Everything else, including all values, stays the same. A note reports what was
-/// removed.
+/// helper bone are attached to its parent, with the sum of the offsets; the tips that it leads to,
+/// and its shapes, become those of its parent; a root called "root" gets the name that its first
+/// bone keeps, if no joint has it. Everything else, including all values, stays the same. A note
+/// reports what was removed.
 Motion without_helper_bones(Motion motion, Diagnostics& diagnostics);
 
 /// Transfers a motion to another skeleton, between joints of the same name (case is ignored unless

@@ -12,6 +12,7 @@
 #include "kinefile/kept.hpp"
 #include "kinefile/math.hpp"
 #include "kinefile/result.hpp"
+#include "kinefile/visual_shape.hpp"
 
 #pragma GCC visibility push(default)
 
@@ -91,6 +92,7 @@ struct Joint {
   Quat rest_rotation = Quat::Identity();
   std::vector<DegreeOfFreedom> dofs;  ///< in the order of multiplication
   std::vector<Tip> tips;
+  std::vector<VisualShape> visuals;  ///< what a robot's link looks like, as far as it is primitives
   std::array<double, 7> free_rest = {0, 0, 0, 1, 0, 0, 0};  ///< the rest values if it moves freely
   /// What its format keeps of it beyond the model. A copy of the joint includes it.
   Kept kept;
@@ -116,9 +118,9 @@ struct Skeleton {
 };
 
 /// Checks what every other function relies on: parents come first, axes have unit length, every
-/// coordinate exists, numbers are finite, translations precede rotations within a joint, a free
-/// joint has no other degrees of freedom, a joint with a `Ball` or a `RotationVector` has no other
-/// rotations, all readers of a column have the same rest value.
+/// coordinate exists, numbers are finite, sizes of shapes are not below 0, translations precede
+/// rotations within a joint, a free joint has no other degrees of freedom, a joint with a `Ball` or
+/// a `RotationVector` has no other rotations, all readers of a column have the same rest value.
 /// \errors MDL001 with the name of the first joint that breaks a rule
 Result<void> validate(const Skeleton& skeleton);
 

@@ -48,6 +48,8 @@ struct QuarterTurn {
     turned[from] = -v[to];
     return turned;
   }
+
+  Quat rotation() const { return Quat::FromTwoVectors(Vec3::Unit(from), Vec3::Unit(to)); }
 };
 
 /// The opposite vector, without negative zeros.
@@ -130,6 +132,10 @@ void turn_joint(const QuarterTurn& turn, const std::vector<std::size_t>& readers
   joint.offset = turn(joint.offset);
   turn_numbers(turn, DofKind::Free, joint.free_rest.data());
   for (Tip& tip : joint.tips) tip.offset = turn(tip.offset);
+  for (VisualShape& shape : joint.visuals) {
+    shape.position = turn(shape.position);
+    shape.rotation = (turn.rotation() * shape.rotation).normalized();
+  }
   joint.rest_rotation.vec() = turn(joint.rest_rotation.vec());
   const bool is_plain = turns_about_plain_axes(joint);
   for (DegreeOfFreedom& dof : joint.dofs) {
@@ -194,6 +200,10 @@ Motion scale(Motion motion, double factor) {
   for (Joint& joint : motion.skeleton.joints) {
     joint.offset *= factor;
     for (Tip& tip : joint.tips) tip.offset *= factor;
+    for (VisualShape& shape : joint.visuals) {
+      shape.position *= factor;
+      shape.size *= factor;
+    }
     for (std::size_t k = 0; k < 3; ++k) joint.free_rest[k] *= factor;
     for (DegreeOfFreedom& dof : joint.dofs) {
       if (is_length(dof.kind)) scale_length(factor, is_scaled[dof.coordinate], dof);

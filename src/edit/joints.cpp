@@ -80,6 +80,51 @@ void add_tips(const Motion& motion, const std::vector<std::size_t>& children, Jo
   }
 }
 
+/// Where a removed joint is that cannot move on the joint that remains above it.
+struct FixedFrame {
+  std::size_t holder = 0;  ///< the joint that remains, or the joint itself
+  Quat rotation = Quat::Identity();
+  Vec3 place = Vec3::Zero();
+};
+
+bool moves_its_children(const Joint& joint) {
+  return std::any_of(joint.dofs.begin(), joint.dofs.end(), [](const DegreeOfFreedom& dof) {
+    return dof.kind == DofKind::TailTranslation || dof.kind == DofKind::TailScale;
+  });
+}
+
+/// The frames of joints that remain or are fixed to one; shape (joints).
+std::vector<std::optional<FixedFrame>> fixed_frames(const Skeleton& skeleton,
+                                                    const std::vector<bool>& is_kept) {
+  std::vector<std::optional<FixedFrame>> frames;
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    auto& frame = frames.emplace_back();
+    if (is_kept[j]) {
+      frame = FixedFrame{j};
+    } else if (joint.parent != kNoParent && frames[joint.parent] && joint.dofs.empty() &&
+               !moves_its_children(skeleton.joints[joint.parent])) {
+      const FixedFrame& above = *frames[joint.parent];
+      frame = FixedFrame{above.holder, (above.rotation * joint.rest_rotation).normalized(),
+                         above.place + above.rotation * joint.offset};
+    }
+  }
+  return frames;
+}
+
+/// Gives the shapes of removed joints that cannot move to the joints that remain above them.
+void hand_up_fixed_shapes(const Skeleton& old, const std::vector<bool>& is_kept,
+                          const std::vector<std::size_t>& new_joints, Skeleton& skeleton) {
+  const auto frames = fixed_frames(old, is_kept);
+  for (std::size_t j = 0; j < old.joints.size(); ++j) {
+    if (is_kept[j] || !frames[j]) continue;
+    std::vector<VisualShape>& shapes = skeleton.joints[new_joints[frames[j]->holder]].visuals;
+    for (const VisualShape& shape : old.joints[j].visuals) {
+      shapes.push_back(in_other_frame(shape, frames[j]->rotation, frames[j]->place));
+    }
+  }
+}
+
 constexpr std::size_t kDropped = std::numeric_limits<std::size_t>::max();
 
 /// The new index of each element that is kept, kDropped for others.
@@ -144,6 +189,7 @@ Result<Motion> joints(const Motion& motion, std::span<const std::string> names,
     if (is_bare && joint.tips.empty()) add_tips(motion, children[j], joint, diagnostics);
     result.skeleton.joints.push_back(std::move(joint));
   }
+  hand_up_fixed_shapes(skeleton, *is_kept, new_joints, result.skeleton);
   std::vector<std::size_t> kept_columns;
   for (std::size_t c = 0; c < owners.size(); ++c) {
     if (owners[c] == kDropped) continue;

@@ -28,13 +28,11 @@ std::string extension_of(std::string_view name) {
 }
 
 std::vector<Format> all_formats() {
-  std::vector<Format> all = {
+  return {
       bvh::format(),     acclaim::asf_format(), acclaim::amc_format(), choreonoid::format(),
-      robovie::format(), body::format(),        wrl::format(),
+      robovie::format(), body::format(),        wrl::format(),         urdf::format(),
+      hrpsys::format(),  csv::format(),         json::format(),
   };
-  for (const Format& format : urdf::formats()) all.push_back(format);  // not in every build
-  all.insert(all.end(), {hrpsys::format(), csv::format(), json::format()});
-  return all;
 }
 
 }  // namespace

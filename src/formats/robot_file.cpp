@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "formats/robot_shapes.hpp"
 #include "text/decode.hpp"
 
 namespace kinefile::robot_file {
@@ -224,6 +225,20 @@ std::optional<std::size_t> column_of(const Link& link, std::size_t joint, Skelet
   return column;
 }
 
+/// Gives every joint the shapes of its link.
+void add_shapes(const Robot& robot, const std::vector<std::size_t>& order, const Codes& codes,
+                Diagnostics& diagnostics, Skeleton& skeleton) {
+  ShapeCollector collector(diagnostics, codes.left_out_shape);
+  for (std::size_t j = 0; j < order.size(); ++j) {
+    const Link& link = robot.links[order[j]];
+    if (!link.shapes) continue;
+    for (const VisualShape& shape : *link.shapes) {
+      if (!collector.take_one(link.spot)) return;
+      skeleton.joints[j].visuals.push_back(shape);
+    }
+  }
+}
+
 /// Gives joints with the same id the same rest value: that of the last of them.
 void agree_at_rest(Skeleton& skeleton) {
   const std::vector<double> rest = rest_coordinates(skeleton);
@@ -301,6 +316,7 @@ std::optional<Document> document_of(const Robot& robot, std::string_view format,
   }
   if (!is_good) return std::nullopt;
   agree_at_rest(skeleton);
+  add_shapes(robot, tree.order(), codes, diagnostics, skeleton);
   document.format = format;
   document.kept = Kept(KeptFile{{}, *num_ids});
   document.content = std::move(skeleton);

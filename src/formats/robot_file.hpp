@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +45,9 @@ struct Follows {
   double shift = 0;
 };
 
+/// The shapes of a link, which its copies share; null if there are none.
+using SharedShapes = std::shared_ptr<const std::vector<VisualShape>>;
+
 /// A link and the joint above it, as in the file; angles in radians, lengths in metres. All numbers
 /// except limits are finite.
 struct Link {
@@ -60,6 +64,7 @@ struct Link {
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
   std::optional<Follows> follows;
+  SharedShapes shapes;        ///< in the link's frame
   Spot spot;                  ///< of its name
   Spot parent_spot;           ///< of its parent's name, or where that name belongs
   Spot axis_spot, id_spot{};  ///< of the values in the file
@@ -81,6 +86,7 @@ struct Codes {
   const char* large_id;
   const char* repeated_id;
   const char* not_unit_length;
+  const char* left_out_shape;
 };
 
 /// The largest number of links of a robot. A short file can describe very many.

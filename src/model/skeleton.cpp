@@ -42,6 +42,13 @@ std::string fault_of(const DegreeOfFreedom& dof, std::size_t num_columns) {
   return {};
 }
 
+bool is_valid(const VisualShape& shape) {
+  const Vec3 colour = shape.colour.value_or(Vec3::Zero());
+  return shape.size.allFinite() && shape.size.minCoeff() >= 0 && shape.position.allFinite() &&
+         std::abs(shape.rotation.norm() - 1) <= kUnitTolerance && colour.minCoeff() >= 0 &&
+         colour.maxCoeff() <= 1;
+}
+
 std::string fault_of(const Joint& joint, std::size_t index, std::size_t num_columns) {
   if (joint.parent != kNoParent && joint.parent >= index) return "comes before its parent";
   if (!joint.offset.allFinite()) return "has an offset that is not finite";
@@ -65,6 +72,9 @@ std::string fault_of(const Joint& joint, std::size_t index, std::size_t num_colu
   if (has_free && joint.dofs.size() > 1) return "is free and moves in another way, too";
   for (const Tip& tip : joint.tips) {
     if (!tip.offset.allFinite()) return "has a tip that is not finite";
+  }
+  for (const VisualShape& shape : joint.visuals) {
+    if (!is_valid(shape)) return "has a shape with numbers that it cannot have";
   }
   return {};
 }

@@ -167,6 +167,7 @@ std::size_t add_named_bone(Builder& builder, std::size_t old_index, const Vec3& 
   if (name != wanted) builder.renamed.push_back(old.name + "' to '" + name);
   const std::size_t index = add_joint(builder, name, 0, end);
   builder.joints()[index].kept = old.kept;
+  builder.joints()[index].visuals = old.visuals;
   add_dofs(builder, old_index, index, true, Dofs::OfTail);
   return index;
 }
@@ -182,6 +183,7 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   root.rest_rotation = old.rest_rotation;
   const bool keeps_name = lowered(old.name) == "root";
   if (keeps_name) root.kept = old.kept;
+  if (keeps_name) root.visuals = old.visuals;
   if (has_frames && rest_offset(old) != old.offset) {
     builder.diagnostics.add(
         Severity::Note, kNoteCode,
@@ -209,6 +211,7 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   if (name != old.name) builder.renamed.push_back(old.name + "' to '" + name);
   const std::size_t index = add_joint(builder, name, holder, end);
   builder.joints()[index].kept = old.kept;
+  builder.joints()[index].visuals = old.visuals;
   builder.new_of_old.push_back(index);
   add_dofs(builder, old_index, index, false);
   add_tips(builder, old, index, end);

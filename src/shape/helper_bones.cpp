@@ -121,6 +121,13 @@ void hand_up_tips(const Skeleton& skeleton, const Helpers& helpers, std::size_t 
   }
 }
 
+void hand_up_shapes(const Skeleton& skeleton, const Helpers& helpers, std::size_t helper,
+                    Joint& holder) {
+  for (const VisualShape& shape : skeleton.joints[helper].visuals) {
+    holder.visuals.push_back(in_other_frame(shape, Quat::Identity(), helpers.place[helper]));
+  }
+}
+
 void report_removed(const Skeleton& skeleton, const Helpers& helpers, Diagnostics& diagnostics) {
   std::vector<std::string> names;
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
@@ -143,6 +150,7 @@ Motion without_helper_bones(Motion motion, Diagnostics& diagnostics) {
     if (helpers.is_helper[j]) {
       new_of_old.push_back(new_of_old[helpers.stays[j]]);
       hand_up_tips(old, helpers, j, children[j], skeleton.joints[new_of_old.back()]);
+      hand_up_shapes(old, helpers, j, skeleton.joints[new_of_old.back()]);
       continue;
     }
     new_of_old.push_back(skeleton.joints.size());

@@ -10,13 +10,17 @@
 namespace kinefile::shape {
 namespace {
 
-/// Rotates a joint's own frame, with its axes and tips, and its parent's frame, with its offset.
+/// Rotates a joint's own frame, with its axes, tips and shapes, and its parent's frame, with its
+/// offset.
 void turn_frames(Joint& joint, const Mat3& new_from_old, const Mat3& new_from_old_parent) {
   joint.offset = new_from_old_parent * joint.offset;
   for (DegreeOfFreedom& dof : joint.dofs) {
     if (num_coordinates(dof) == 1) dof.axis = (new_from_old * dof.axis).normalized();
   }
   for (Tip& tip : joint.tips) tip.offset = new_from_old * tip.offset;
+  for (VisualShape& shape : joint.visuals) {
+    shape = in_other_frame(shape, Quat(new_from_old), Vec3::Zero());
+  }
   joint.rest_rotation = Quat::Identity();
 }
 

@@ -13,9 +13,6 @@
 #include "text/source.hpp"
 
 namespace kinefile::text {
-namespace {
-
-constexpr char32_t kReplacement = 0xFFFD;
 
 void append_utf8(std::string& out, char32_t c) {
   const auto byte = [](char32_t value) { return static_cast<char>(value); };
@@ -30,6 +27,10 @@ void append_utf8(std::string& out, char32_t c) {
             byte(0x80 | (c & 0x3F))};
   }
 }
+
+namespace {
+
+constexpr char32_t kReplacement = 0xFFFD;
 
 /// The length of the valid UTF-8 character at `i`, or 0 (Unicode 15, table 3-7).
 std::size_t utf8_length(std::string_view bytes, std::size_t i) {

@@ -28,6 +28,9 @@ inline std::uint8_t byte_at(std::string_view bytes, std::size_t i) {
   return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0;
 }
 
+/// Adds a character as UTF-8.
+void append_utf8(std::string& out, char32_t c);
+
 /// Decodes bytes to UTF-8 without a byte order mark. Bytes that the encoding does not have become
 /// U+FFFD, with a warning TXT001; Latin-1 that was not requested is a note TXT002.
 /// \param encoding  "utf-8", "utf-16le", "utf-16be", "latin-1" or "cp932"; empty: detected by a

@@ -25,6 +25,7 @@ void expect_world(const Motion& a, const Motion& b, int seed) {
   const WorldDifference difference = world_difference(a, b);
   EXPECT_LT(difference.position, kSameEditedPlace) << "skeleton " << seed;
   EXPECT_LT(difference.tip, kSameEditedPlace) << "skeleton " << seed;
+  EXPECT_LT(difference.shape, kSameEditedPlace) << "skeleton " << seed;
   EXPECT_LT(difference.rotation, kSameEditedTurn) << "skeleton " << seed;
   EXPECT_TRUE(validate(b.skeleton)) << "skeleton " << seed;
 }
@@ -152,6 +153,10 @@ TEST(EditProperties, ScaleScalesTheWorld) {
     const double largest = largest_distance(places_of(motion), places_of(scaled),
                                             [factor](const Vec3& v) { return Vec3(factor * v); });
     EXPECT_LT(largest, kSameEditedPlace * world_size(scaled)) << i;
+    const double largest_of_shapes =
+        largest_distance(places_of_shapes(motion), places_of_shapes(scaled),
+                         [factor](const Vec3& v) { return Vec3(factor * v); });
+    EXPECT_LT(largest_of_shapes, kSameEditedPlace * world_size(scaled)) << i;
     EXPECT_TRUE(validate(scaled.skeleton));
     if (factor != 4) continue;
     const Motion back = edit::scale(scaled, 0.25);
@@ -172,10 +177,12 @@ TEST(EditProperties, AnotherAxisUpTurnsTheWorldByAQuarterAndBackToTheSameBits) {
     EXPECT_EQ(diagnostics.count_of("MOT005", Severity::Note), diagnostics.items().size());
     EXPECT_TRUE(validate(turned.skeleton));
     const double sign = old_axis == 1 ? 1 : -1;
-    const double largest =
-        largest_distance(places_of(motion), places_of(turned),
-                         [sign](const Vec3& v) { return Vec3(v[0], -sign * v[2], sign * v[1]); });
+    const auto turn = [sign](const Vec3& v) { return Vec3(v[0], -sign * v[2], sign * v[1]); };
+    const double largest = largest_distance(places_of(motion), places_of(turned), turn);
     EXPECT_LT(largest, kSameEditedPlace * world_size(motion)) << i;
+    const double largest_of_shapes =
+        largest_distance(places_of_shapes(motion), places_of_shapes(turned), turn);
+    EXPECT_LT(largest_of_shapes, kSameEditedPlace * world_size(motion)) << i;
     ++num_turned;
     const Motion back = edit::up(turned, old_axis, diagnostics);
     EXPECT_TRUE(same_skeleton(back.skeleton, motion.skeleton)) << i;
@@ -241,6 +248,8 @@ TEST(EditProperties, JointsThatStayKeepTheirPlacesAndTheirBits) {
     EXPECT_EQ(difference.num_joints, part->skeleton.joints.size());
     EXPECT_LT(difference.position, kSameEditedPlace);
     EXPECT_LT(difference.tip, kSameEditedPlace);
+    EXPECT_LT(difference.shape, kSameEditedPlace);
+    EXPECT_EQ(difference.num_shapes, num_shapes(part->skeleton));
     // Every column that is left is one of the old ones.
     for (std::size_t c = 0; c < part->clip.num_coordinates; ++c) {
       bool is_there = false;
@@ -352,6 +361,7 @@ TEST(EditProperties, OperationsDoTheSameWhateverTheRestFrames) {
     const auto expect_alike = [&](const auto& operation, std::string_view name) {
       const WorldDifference difference = world_difference(operation(motion), operation(twin));
       EXPECT_LT(difference.position, 1e-8) << name << " of skeleton " << i;
+      EXPECT_LT(difference.shape, 1e-8) << name << " of skeleton " << i;
     };
     expect_alike([](const Motion& m) { return edit::in_place(m, test::ignored()); }, "in_place");
     expect_alike([](const Motion& m) { return edit::unwrap(m); }, "unwrap");

@@ -22,6 +22,8 @@ void expect_same_world(const Motion& a, const Motion& b, int seed, bool has_same
   const WorldDifference difference = world_difference(a, b);
   EXPECT_LT(difference.position, kSamePlace) << "skeleton " << seed;
   EXPECT_LT(difference.tip, kSamePlace) << "skeleton " << seed;
+  EXPECT_LT(difference.shape, kSamePlace) << "skeleton " << seed;
+  EXPECT_EQ(difference.num_shapes, num_shapes(a.skeleton)) << "skeleton " << seed;
   if (has_same_turns) {
     EXPECT_LT(difference.rotation, kSameTurn) << "skeleton " << seed;
   }
@@ -143,7 +145,9 @@ TEST(ShapeProperties, BonesKeepTheWorld) {
     // Without frames, the rest pose counts, and that of values that rest elsewhere is told.
     if (motion.clip.num_frames > 0 || count_code(diagnostics, "BRG005") == 0) {
       EXPECT_LT(difference.position, kSamePlace) << "skeleton " << i;
+      EXPECT_LT(difference.shape, kSamePlace) << "skeleton " << i;
     }
+    EXPECT_EQ(difference.num_shapes, num_shapes(motion.skeleton)) << "skeleton " << i;
     EXPECT_GE(difference.num_joints + 1, motion.skeleton.joints.size());
     for (std::size_t j = 0; j < bones->skeleton.joints.size(); ++j) {
       const Joint& joint = bones->skeleton.joints[j];
@@ -206,6 +210,8 @@ TEST(ShapeProperties, WithoutHelperBonesTheJointsAreThoseOfBefore) {
     }
     const WorldDifference of_bones = world_difference(*bones, back, false);
     EXPECT_LT(of_bones.position, kSamePlace) << i;
+    EXPECT_LT(of_bones.shape, kSamePlace) << i;
+    EXPECT_EQ(of_bones.num_shapes, num_shapes(motion.skeleton)) << i;
     EXPECT_LT(of_bones.rotation, kSameTurn) << i;
     if (motion.clip.num_frames == 0) continue;  // bones rest elsewhere
     const Motion bare = shape::without_inner_tips(motion);

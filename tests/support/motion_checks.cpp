@@ -22,6 +22,73 @@ double world_size(const Motion& motion) {
   return size;
 }
 
+std::size_t num_shapes(const Skeleton& skeleton) {
+  std::size_t count = 0;
+  for (const Joint& joint : skeleton.joints) count += joint.visuals.size();
+  return count;
+}
+
+std::vector<Vec3> places_of_shapes(const Motion& motion, bool rest) {
+  const WorldPoses poses = forward_kinematics(
+      motion.skeleton, rest ? rest_clip(motion.skeleton) : motion.clip, {.rotations = true});
+  std::vector<Vec3> places;
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    for (std::size_t j = 0; j < poses.num_joints; ++j) {
+      const std::size_t i = f * poses.num_joints + j;
+      const double* q = &poses.rotations[i * 4];
+      const Quat turn(q[0], q[1], q[2], q[3]);
+      for (const VisualShape& shape : motion.skeleton.joints[j].visuals) {
+        const Vec3 middle = Vec3(&poses.positions[i * 3]) + turn * shape.position;
+        places.push_back(middle);
+        for (Eigen::Index k = 0; k < 3; ++k) {
+          const Vec3 side = shape.size[k] / 2 * Vec3::Unit(k);
+          places.emplace_back(middle + turn * (shape.rotation * side));
+        }
+      }
+    }
+  }
+  return places;
+}
+
+namespace {
+
+/// What tells shapes apart: their red, which nothing changes.
+std::vector<double> reds_of_shapes(const Skeleton& skeleton) {
+  std::vector<double> reds;
+  for (const Joint& joint : skeleton.joints) {
+    for (const VisualShape& shape : joint.visuals) {
+      reds.push_back(shape.colour.value_or(Vec3::Zero()).x());
+    }
+  }
+  return reds;
+}
+
+/// Compares the shapes that both have.
+void compare_shapes(const Motion& a, const Motion& b, bool is_at_rest, double size,
+                    WorldDifference& difference) {
+  const auto places_a = places_of_shapes(a, is_at_rest);
+  const auto places_b = places_of_shapes(b, is_at_rest);
+  const auto reds_a = reds_of_shapes(a.skeleton);
+  const auto reds_b = reds_of_shapes(b.skeleton);
+  for (std::size_t i = 0; i < reds_a.size(); ++i) {
+    const auto found = std::find(reds_b.begin(), reds_b.end(), reds_a[i]);
+    if (found == reds_b.end()) continue;
+    ++difference.num_shapes;
+    const auto k = static_cast<std::size_t>(found - reds_b.begin());
+    for (std::size_t f = 0; f < places_a.size() / (reds_a.size() * 4); ++f) {
+      for (std::size_t point = 0; point < 4; ++point) {
+        const double apart = (places_a.at((f * reds_a.size() + i) * 4 + point) -
+                              places_b.at((f * reds_b.size() + k) * 4 + point))
+                                 .norm() /
+                             size;
+        if (!(apart <= difference.shape)) difference.shape = apart;  // NaN, too
+      }
+    }
+  }
+}
+
+}  // namespace
+
 WorldDifference world_difference(const Motion& a, const Motion& b, bool rest) {
   const bool is_at_rest = rest || (a.clip.num_frames == 0 && b.clip.num_frames == 0);
   const Clip clip_a = is_at_rest ? rest_clip(a.skeleton) : a.clip;
@@ -67,6 +134,7 @@ WorldDifference world_difference(const Motion& a, const Motion& b, bool rest) {
       }
     }
   }
+  compare_shapes(a, b, is_at_rest, size, difference);
   return difference;
 }
 
@@ -84,12 +152,19 @@ bool same_skeleton(const Skeleton& a, const Skeleton& b) {
   const auto same_tip = [](const Tip& x, const Tip& y) {
     return x.name == y.name && x.offset == y.offset;
   };
+  // Rotations of shapes are multiplied where frames turn.
+  const auto same_shape = [](const VisualShape& x, const VisualShape& y) {
+    return x.kind == y.kind && x.size == y.size && x.position == y.position &&
+           (x.rotation.coeffs() - y.rotation.coeffs()).norm() < 1e-15 && x.colour == y.colour;
+  };
   const auto same_joint = [&](const Joint& x, const Joint& y) {
     return x.name == y.name && x.joint_name == y.joint_name && x.parent == y.parent &&
            x.offset == y.offset && x.rest_rotation.coeffs() == y.rest_rotation.coeffs() &&
            x.free_rest == y.free_rest &&
            std::equal(x.dofs.begin(), x.dofs.end(), y.dofs.begin(), y.dofs.end(), same_dof) &&
-           std::equal(x.tips.begin(), x.tips.end(), y.tips.begin(), y.tips.end(), same_tip);
+           std::equal(x.tips.begin(), x.tips.end(), y.tips.begin(), y.tips.end(), same_tip) &&
+           std::equal(x.visuals.begin(), x.visuals.end(), y.visuals.begin(), y.visuals.end(),
+                      same_shape);
   };
   const auto same_column = [](const Coordinate& x, const Coordinate& y) {
     return x.joint == y.joint && x.channel == y.channel;

@@ -16,11 +16,21 @@ struct WorldDifference {
   double position = 0;  ///< of joints; of the size of the first motion
   double tip = 0;       ///< of tips of joints that have as many; of its size, too
   double rotation = 0;  ///< radians
+  double shape = 0;     ///< of points of shapes that have the same red in both; of its size, too
+  std::size_t num_shapes = 0;
   std::size_t num_joints = 0;
 };
 
 /// \param rest  compares the rest poses instead
 WorldDifference world_difference(const Motion& a, const Motion& b, bool rest = false);
+
+/// Where shapes are in the world: of each its middle, and the middles of three of its sides; shape
+/// (frames, shapes, 4).
+/// \param rest  in the rest pose instead
+std::vector<Vec3> places_of_shapes(const Motion& motion, bool rest = false);
+
+/// The number of shapes of all joints.
+std::size_t num_shapes(const Skeleton& skeleton);
 
 /// The largest coordinate of a motion in the world, and 1 at least.
 double world_size(const Motion& motion);

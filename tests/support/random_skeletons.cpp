@@ -25,6 +25,22 @@ struct Maker {
   Skeleton& skeleton() { return motion.skeleton; }
 };
 
+/// Gives about every second joint a shape. They have random numbers of their own, and a red each.
+void add_shapes(Skeleton& skeleton) {
+  RandomSource random(skeleton.joints.size() + 100 * skeleton.coordinates.size());
+  double red = 0;
+  for (Joint& joint : skeleton.joints) {
+    while (random_chance(random, 0.4)) {
+      VisualShape& shape = joint.visuals.emplace_back();
+      shape.kind = static_cast<ShapeKind>(random_below(random, 5));
+      shape.size = random_vector(random, 1).cwiseAbs();
+      shape.position = random_vector(random, 1);
+      shape.rotation = random_rotation(random);
+      shape.colour = Vec3(++red / 1000, 0.5, 1);
+    }
+  }
+}
+
 std::size_t new_column(Maker& maker, std::size_t joint, Means means) {
   maker.meanings.push_back(means);
   const std::size_t column = maker.skeleton().coordinates.size();
@@ -228,6 +244,7 @@ Motion random_motion(RandomSource& random, const RandomTraits& traits) {
     }
   }
   if (random_chance(random, 0.5)) shuffle_columns(maker);
+  add_shapes(maker.skeleton());
   fill_clip(maker);
   EXPECT_TRUE(validate(skeleton));
   return std::move(maker.motion);
@@ -267,6 +284,7 @@ Motion random_bones(RandomSource& random) {
       skeleton.joints[j].dofs.push_back({DofKind::Rotation, about, column, 0});
     }
   }
+  add_shapes(maker.skeleton());
   fill_clip(maker);
   EXPECT_TRUE(validate(skeleton));
   return std::move(maker.motion);
@@ -320,6 +338,7 @@ Motion random_robot(RandomSource& random) {
     skeleton.joints[j].dofs.push_back(
         {kind, random_axes(maker)[0], column, random_rest(maker, 0.5, 1)});
   }
+  add_shapes(maker.skeleton());
   fill_clip(maker);
   EXPECT_TRUE(validate(skeleton));
   return std::move(maker.motion);
@@ -410,6 +429,7 @@ Motion random_symmetric_motion(RandomSource& random, bool rest_rotations) {
       above_image = left + 1;
     }
   }
+  add_shapes(maker.skeleton());
   fill_clip(maker);
   EXPECT_TRUE(validate(skeleton));
   return std::move(maker.motion);
@@ -429,6 +449,9 @@ Motion with_turned_frames(const Motion& motion, RandomSource& random) {
     joint.rest_rotation = (above.conjugate() * joint.rest_rotation * own).normalized();
     for (DegreeOfFreedom& dof : joint.dofs) dof.axis = (own.conjugate() * dof.axis).normalized();
     for (Tip& tip : joint.tips) tip.offset = own.conjugate() * tip.offset;
+    for (VisualShape& shape : joint.visuals) {
+      shape = in_other_frame(shape, own.conjugate(), Vec3::Zero());
+    }
   }
   EXPECT_TRUE(validate(turned.skeleton));
   return turned;

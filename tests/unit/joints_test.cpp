@@ -45,6 +45,38 @@ TEST(WithJoints, PutsTipsWhereChildrenWere) {
   EXPECT_EQ(chest.skeleton.joints[3].tips[2].offset, Vec3(-3, 14, 2));
 }
 
+TEST(WithJoints, GivesShapesOfJointsThatCannotMoveToTheOneThatStays) {
+  Motion walk = examples::make_walk({.num_frames = 2});
+  Skeleton& skeleton = walk.skeleton;
+  const auto add = [&skeleton](const std::string& name, std::size_t parent) {
+    Joint joint;
+    joint.name = name;
+    joint.parent = parent;
+    joint.offset = Vec3(0, 0, 1);
+    joint.rest_rotation = Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5));  // x to y
+    joint.visuals = {{ShapeKind::Cone, {1, 1, 2}, {1, 0, 0}}};
+    skeleton.joints.push_back(joint);
+    return skeleton.joints.size() - 1;
+  };
+  const std::size_t first = add("fixed", 0);
+  const std::size_t second = add("fixed to it", first);
+  const std::size_t moving = add("moving", 0);
+  skeleton.joints[moving].dofs = {skeleton.joints[0].dofs.back()};
+  add("on the moving one", moving);
+  EXPECT_TRUE(validate(skeleton));
+  const Motion hips = with(walk, {skeleton.joints[0].name});
+  const auto& shapes = hips.skeleton.joints.at(0).visuals;
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_LE((shapes[0].position - Vec3(0, 1, 1)).norm(), 1e-15);
+  EXPECT_LE((shapes[1].position - Vec3(-1, 0, 2)).norm(), 1e-15);
+  EXPECT_LE((shapes[1].rotation * Vec3::UnitX() + Vec3::UnitX()).norm(), 1e-15);
+  EXPECT_EQ(shapes[1].size, Vec3(1, 1, 2));
+  const Motion both = with(walk, {"fixed"});
+  EXPECT_EQ(both.skeleton.joints[0].visuals.size(), 0u);
+  EXPECT_EQ(both.skeleton.joints.at(1).visuals.size(), 2u);
+  EXPECT_EQ(with(walk, {"*"}).skeleton.joints.at(second).visuals.size(), 1u);
+}
+
 /// A joint that slides on another.
 constexpr char kSlide[] =
     "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT a\n{\nOFFSET 1 2 3\n"

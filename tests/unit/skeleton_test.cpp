@@ -71,6 +71,14 @@ TEST(Skeleton, NumbersAreFinite) {
   skeleton.joints[1].tips[1].offset[1] = NAN;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a tip that is not finite");
   skeleton = small_robot();
+  skeleton.joints[1].visuals = {{ShapeKind::Box, {1, 0, 2}, {1, 2, 3}}};
+  EXPECT_EQ(fault_of(skeleton), "");
+  skeleton.joints[1].visuals[0].size = {1, -1, 2};
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a shape with numbers that it cannot have");
+  skeleton.joints[1].visuals[0].size = {1, 1, 2};
+  skeleton.joints[1].visuals[0].colour = Vec3(0, 0, 1.5);
+  EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a shape with numbers that it cannot have");
+  skeleton = small_robot();
   skeleton.joints[1].dofs[0].rest = NAN;
   EXPECT_EQ(fault_of(skeleton), "joint 'hinge' has a rest value that is not finite");
   skeleton = small_robot();

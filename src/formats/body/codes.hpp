@@ -25,8 +25,10 @@ inline constexpr char kFileNotFound[] = "BDY014";
 inline constexpr char kNestedFiles[] = "BDY015";
 inline constexpr char kTooManyLinks[] = "BDY016";
 inline constexpr char kUnknownKey[] = "BDY017";
+inline constexpr char kLeftOutShape[] = "BDY018";
 
-inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
-                                             kLargeId,      kRepeatedId,   kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {kTooManyLinks,  kRepeatedName, kBadParent,
+                                             kCircle,        kLargeId,      kRepeatedId,
+                                             kNotUnitLength, kLeftOutShape};
 
 }  // namespace kinefile::body::code

@@ -55,30 +55,6 @@ void note_unknown_keys(Values& values, const Node& node) {
   }
 }
 
-bool read_translation(Values& values, const Node& node, Link& link) {
-  const Node* value = find_any(node, {"translation"});
-  if (value == nullptr) return true;
-  const auto rows = values.rows(*value, "translation", 3);
-  if (!rows) return false;
-  link.translation = Vec3::Zero();
-  for (const auto& row : *rows) link.translation += Vec3(row[0], row[1], row[2]);
-  return link.translation.allFinite() ||
-         fail(values, *value, code::kBadValue, "expected a finite translation, found a larger one");
-}
-
-bool read_rotation(Values& values, const Node& node, Link& link) {
-  const Node* value = find_any(node, {"rotation"});
-  if (value == nullptr) return true;
-  const auto rows = values.rows(*value, "rotation", 4);
-  if (!rows) return false;
-  link.rotation = Quat::Identity();
-  for (const auto& row : *rows) {
-    const Quat turn = robot_file::rotation_about({row[0], row[1], row[2]}, values.radians(row[3]));
-    link.rotation = (link.rotation * turn).normalized();
-  }
-  return true;
-}
-
 bool read_joint_type(Values& values, const Node& node, Link& link) {
   const Node* value = find_any(node, {"joint_type", "jointType"});
   if (value == nullptr) return true;
@@ -211,14 +187,38 @@ void set_id(Link& link, double id, const robot_file::Spot& spot) {
   link.id_spot = spot;
 }
 
+bool read_translation(Values& values, const Node& node, Vec3& translation) {
+  const Node* value = find_any(node, {"translation"});
+  if (value == nullptr) return true;
+  const auto rows = values.rows(*value, "translation", 3);
+  if (!rows) return false;
+  translation = Vec3::Zero();
+  for (const auto& row : *rows) translation += Vec3(row[0], row[1], row[2]);
+  return translation.allFinite() ||
+         fail(values, *value, code::kBadValue, "expected a finite translation, found a larger one");
+}
+
+bool read_rotation(Values& values, const Node& node, Quat& rotation) {
+  const Node* value = find_any(node, {"rotation"});
+  if (value == nullptr) return true;
+  const auto rows = values.rows(*value, "rotation", 4);
+  if (!rows) return false;
+  rotation = Quat::Identity();
+  for (const auto& row : *rows) {
+    const Quat turn = robot_file::rotation_about({row[0], row[1], row[2]}, values.radians(row[3]));
+    rotation = (rotation * turn).normalized();
+  }
+  return true;
+}
+
 bool read_contents(Values& values, const Node& node, Link& link) {
   note_unknown_keys(values, node);
   if (const Node* parent = find_any(node, {"parent"})) {
     link.parent = parent->text;
     link.parent_spot = values.spot(*parent);
   }
-  bool is_good = read_translation(values, node, link);
-  is_good &= read_rotation(values, node, link);
+  bool is_good = read_translation(values, node, link.translation);
+  is_good &= read_rotation(values, node, link.rotation);
   is_good &= read_joint_type(values, node, link);
   is_good &= read_joint_id(values, node, link);
   is_good &= read_axis(values, node, link);

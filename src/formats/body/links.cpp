@@ -7,6 +7,7 @@
 #include "formats/body/codes.hpp"
 #include "formats/body/files.hpp"
 #include "formats/body/link.hpp"
+#include "formats/body/shapes.hpp"
 
 namespace kinefile::body {
 namespace {
@@ -24,7 +25,10 @@ constexpr double kMostTrackJoints = 4096;
 class LinkReader {
  public:
   LinkReader(const File& file, Files& files)
-      : file_(file), files_(files), values_{*file.source, *file.tree, files.diagnostics()} {}
+      : file_(file),
+        files_(files),
+        values_{*file.source, *file.tree, files.diagnostics()},
+        shapes_(files.diagnostics(), code::kLeftOutShape) {}
 
   std::optional<robot_file::Robot> read() {
     if (!read_head() || !read_nodes() || !find_root()) return std::nullopt;
@@ -147,7 +151,9 @@ class LinkReader {
     if (const Node* joint_name = find_any(node, {"joint_name", "jointName"})) {
       link.joint_name = joint_name->text;
     }
-    return read_contents(values_, node, link);
+    if (!read_contents(values_, node, link)) return false;
+    link.shapes = read_shapes(values_, node, shapes_);
+    return true;
   }
 
   /// A crawler of many shoes: the first is a free joint, which cannot move as a child; each of the
@@ -256,6 +262,7 @@ class LinkReader {
   const File& file_;
   Files& files_;
   Values values_;
+  robot_file::ShapeCollector shapes_;
   robot_file::Robot robot_;
   bool is_full_ = false;  ///< more links are an error that is reported once
 };

@@ -91,7 +91,12 @@ bool add_rows(const Node& node, const text::yaml::Tree& tree, std::vector<Row>& 
 }  // namespace
 
 void Values::error(const Node& node, const char* code, std::string message) {
-  spot(node).report(diagnostics, Severity::Error, code, std::move(message));
+  if (is_of_shape) {
+    spot(node).report(diagnostics, Severity::Warning, code::kLeftOutShape,
+                      message + "; the shape is left out");
+  } else {
+    spot(node).report(diagnostics, Severity::Error, code, std::move(message));
+  }
 }
 
 std::optional<std::string> Values::word(const Node& node, std::string_view what) {

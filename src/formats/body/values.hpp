@@ -17,9 +17,11 @@ struct Values {
   const text::Source& source;
   const text::yaml::Tree& tree;
   Diagnostics& diagnostics;
-  bool has_degrees = true;  ///< false: its angles are radians
+  bool has_degrees = true;   ///< false: its angles are radians
+  bool is_of_shape = false;  ///< faults are warnings, since a robot moves without its shapes
 
   robot_file::Spot spot(const text::yaml::Node& node) const { return {&source, node.at}; }
+  /// Reports a fault: an error with this code, or a shape that is left out.
   void error(const text::yaml::Node& node, const char* code, std::string message);
 
   /// A text; numbers are texts, too.

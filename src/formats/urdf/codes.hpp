@@ -23,9 +23,11 @@ inline constexpr char kNoLimit[] = "URD012";
 inline constexpr char kBadMimic[] = "URD013";
 inline constexpr char kXacro[] = "URD014";
 inline constexpr char kQuaternion[] = "URD015";
+inline constexpr char kLeftOutShape[] = "URD016";
 
 /// Joint ids are counted here, so none is too large and none is repeated.
-inline constexpr robot_file::Codes kRobot = {kTooManyLinks, kRepeatedName, kBadParent,    kCircle,
-                                             kTooManyLinks, kTooManyLinks, kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {kTooManyLinks,  kRepeatedName, kBadParent,
+                                             kCircle,        kTooManyLinks, kTooManyLinks,
+                                             kNotUnitLength, kLeftOutShape};
 
 }  // namespace kinefile::urdf::code

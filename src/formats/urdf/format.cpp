@@ -59,7 +59,7 @@ Result<Document> read(std::string_view bytes, const ReadOptions& options,
 
 }  // namespace
 
-std::vector<Format> formats() {
+Format format() {
   Format format;
   format.name = "urdf";
   format.description = "Unified Robot Description Format";
@@ -69,7 +69,7 @@ std::vector<Format> formats() {
   format.read = read;
   format.facts = robot_file::facts;
   format.read_options = kReadOptions;
-  return {format};
+  return format;
 }
 
 }  // namespace kinefile::urdf

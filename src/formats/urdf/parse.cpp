@@ -8,7 +8,8 @@
 #include <unordered_map>
 
 #include "formats/urdf/codes.hpp"
-#include "formats/urdf/elements.hpp"
+#include "formats/urdf/shapes.hpp"
+#include "formats/urdf/values.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::urdf {
@@ -16,22 +17,16 @@ namespace {
 
 using robot_file::JointType;
 using robot_file::Link;
-using tinyxml2::XMLAttribute;
-using tinyxml2::XMLElement;
-
-/// Roll, pitch and yaw: about the fixed axes x, y and z, in this order.
-Quat rotation_of(const Vec3& rpy) {
-  const Quat roll = robot_file::rotation_about(Vec3::UnitX(), rpy.x());
-  const Quat pitch = robot_file::rotation_about(Vec3::UnitY(), rpy.y());
-  const Quat yaw = robot_file::rotation_about(Vec3::UnitZ(), rpy.z());
-  return (yaw * pitch * roll).normalized();
-}
+using text::xml::Attribute;
+using text::xml::Element;
+using text::xml::find_attribute;
+using text::xml::find_child;
 
 /// Whether the version of a file is 1.1 or later; none means 1.0.
-bool has_version_of_quaternions(const XMLElement& robot) {
-  const char* const attribute = robot.Attribute("version");
+bool has_version_of_quaternions(const Element& robot) {
+  const Attribute* const attribute = find_attribute(robot, "version");
   if (attribute == nullptr) return false;
-  const std::string_view version = attribute;
+  const std::string_view version = attribute->value;
   const std::size_t dot = std::min(version.find('.'), version.size());
   const auto major = text::parse_count(version.substr(0, dot));
   const auto minor = text::parse_count(version.substr(std::min(dot + 1, version.size())));
@@ -39,38 +34,38 @@ bool has_version_of_quaternions(const XMLElement& robot) {
 }
 
 /// Whether an element says where a joint is, or what it joins; others need not be understood.
-bool is_of_joints(const XMLElement& element) {
-  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
-    const XMLElement* one = node->ToElement();
-    if (one != nullptr && one->Name() == std::string_view("joint")) return true;
+bool is_of_joints(const Element& element) {
+  for (const Element* one = &element; one != nullptr; one = one->parent) {
+    if (one->name == "joint") return true;
   }
-  const std::string_view name = element.Name();
-  return name == "robot" || name == "link";
+  return element.name == "robot" || element.name == "link";
 }
 
 class Parser {
  public:
-  Parser(const text::Source& source, Diagnostics& diagnostics) : elements_(source, diagnostics) {}
+  Parser(const text::Source& source, Diagnostics& diagnostics) : values_{source, diagnostics} {}
 
   std::optional<robot_file::Robot> parse() {
-    const XMLElement* root = elements_.read_root("robot");
-    if (root == nullptr || !check_expanded(*root)) return std::nullopt;
-    knows_quaternions_ = has_version_of_quaternions(*root);
-    const char* name = root->Attribute("name");
-    robot_.name = name == nullptr ? "" : name;
+    const auto tree = read_elements(values_.source, "robot", values_.diagnostics);
+    if (!tree || !check_expanded(*tree)) return std::nullopt;
+    const Element& root = tree->root();
+    knows_quaternions_ = has_version_of_quaternions(root);
+    const Attribute* name = find_attribute(root, "name");
+    robot_.name = name == nullptr ? "" : name->value;
     // All links first, because joints may come before the links that they join.
-    for_each(*root, "link", [this](const XMLElement& element) { read_link(element); });
-    for_each(*root, "joint", [this](const XMLElement& element) { read_joint(element); });
-    if (is_good_) find_root(*root);
+    for_each(root, "link", [this](const Element& element) { read_link(element); });
+    for_each(root, "joint", [this](const Element& element) { read_joint(element); });
+    if (is_good_) find_root(root);
     if (is_good_) follow_mimics();
     if (!is_good_) return std::nullopt;
+    read_shapes(root);
     return std::move(robot_);
   }
 
  private:
   /// A link of the file, and whether it is the child of a joint.
   struct Known {
-    const XMLElement* element = nullptr;
+    const Element* element = nullptr;
     bool is_child = false;
   };
 
@@ -85,36 +80,35 @@ class Parser {
   };
 
   template <class Function>
-  static void for_each(const XMLElement& parent, const char* name, const Function& function) {
-    for (const XMLElement* element = parent.FirstChildElement(name); element != nullptr;
-         element = element->NextSiblingElement(name)) {
-      function(*element);
+  static void for_each(const Element& parent, const char* name, const Function& function) {
+    for (const Element* element : parent.children) {
+      if (element->name == name) function(*element);
     }
   }
 
   void error(const robot_file::Spot& spot, const char* code, std::string message) {
-    elements_.report(Severity::Error, spot, code, std::move(message));
+    values_.report_fault(spot, code, std::move(message));
     is_good_ = false;
   }
 
-  void warn(const XMLElement& element, const char* code, std::string message) {
-    elements_.report(Severity::Warning, elements_.spot(element), code, std::move(message));
+  void warn(const Element& element, const char* code, std::string message) {
+    values_.warn(values_.spot(element), code, std::move(message));
   }
 
   /// Reports the first element or attribute of a file that xacro must expand first.
-  bool check_expanded(const XMLElement& element) {
-    const std::string_view name = element.Name();
-    if (name.starts_with("xacro:")) return report_xacro(elements_.spot(element), element.Name());
-    for (const XMLAttribute* attribute = element.FirstAttribute(); attribute != nullptr;
-         attribute = attribute->Next()) {
-      const bool has_expression =
-          std::string_view(attribute->Value()).find("${") != std::string_view::npos;
-      if (!has_expression || !is_of_joints(element)) continue;
-      return report_xacro(elements_.spot(element, *attribute), attribute->Value());
+  bool check_expanded(const text::xml::Tree& tree) {
+    return std::all_of(tree.elements.begin(), tree.elements.end(),
+                       [this](const Element& element) { return check_expanded(element); });
+  }
+
+  bool check_expanded(const Element& element) {
+    if (element.name.starts_with("xacro:")) {
+      return report_xacro(values_.spot(element), element.name);
     }
-    for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      if (!check_expanded(*child)) return false;
+    for (const Attribute& attribute : element.attributes) {
+      const bool has_expression = attribute.value.find("${") != std::string::npos;
+      if (!has_expression || !is_of_joints(element)) continue;
+      return report_xacro(values_.spot(attribute), attribute.value);
     }
     return true;
   }
@@ -134,60 +128,60 @@ class Parser {
     return value ? std::move(*value) : T{};
   }
 
-  void read_link(const XMLElement& element) {
-    const std::string name = take(elements_.word(element, "name"));
+  void read_link(const Element& element) {
+    const std::string name = take(values_.word(element, "name"));
     if (name.empty()) return;
     names_.push_back(name);
     if (!links_.emplace(name, Known{&element, false}).second) {
-      error(elements_.spot(element), code::kRepeatedName,
+      error(values_.spot(element), code::kRepeatedName,
             fmt::format("expected one link of the name {}, found another", text::quoted(name)));
     }
   }
 
   /// The link that a joint's <parent> or <child> names.
-  Known* find_link(const XMLElement& joint, const char* role, std::string& name) {
-    const XMLElement* element = joint.FirstChildElement(role);
+  Known* find_link(const Element& joint, const char* role, std::string& name) {
+    const Element* element = find_child(joint, role);
     if (element == nullptr) {
-      error(elements_.spot(joint), code::kMissing,
+      error(values_.spot(joint), code::kMissing,
             fmt::format("expected <{}> in a <joint>, found none", role));
       return nullptr;
     }
-    name = take(elements_.word(*element, "link"));
+    name = take(values_.word(*element, "link"));
     const auto found = links_.find(name);
     if (found != links_.end()) return &found->second;
     if (!name.empty()) {
-      error(elements_.spot(*element), code::kBadParent,
+      error(values_.spot(*element), code::kBadParent,
             fmt::format("expected a link as the {} of a joint, found {}, which is none", role,
                         text::quoted(name)));
     }
     return nullptr;
   }
 
-  void read_joint(const XMLElement& element) {
+  void read_joint(const Element& element) {
     Link link;
-    link.joint_name = take(elements_.word(element, "name"));
+    link.joint_name = take(values_.word(element, "name"));
     const Known* parent = find_link(element, "parent", link.parent);
     Known* child = find_link(element, "child", link.name);
     if (parent == nullptr || child == nullptr) return;
     if (child->is_child) {
-      error(elements_.spot(element), code::kBadParent,
+      error(values_.spot(element), code::kBadParent,
             fmt::format("expected one joint above the link {}, found another",
                         text::quoted(link.name)));
       return;
     }
     child->is_child = true;
-    link.spot = elements_.spot(*child->element);
-    link.parent_spot = elements_.spot(*element.FirstChildElement("parent"));
+    link.spot = values_.spot(*child->element);
+    link.parent_spot = values_.spot(*find_child(element, "parent"));
     read_type(element, link);
-    read_origin(element, link);
+    place_joint(element, link);
     read_axis(element, link);
     read_limit(element, link);
-    if (const XMLElement* mimic = element.FirstChildElement("mimic")) read_mimic(*mimic, link);
+    if (const Element* mimic = find_child(element, "mimic")) read_mimic(*mimic, link);
     robot_.links.push_back(std::move(link));
   }
 
   /// \param link  the link that is being read, which will be the next one
-  void read_mimic(const XMLElement& element, const Link& link) {
+  void read_mimic(const Element& element, const Link& link) {
     if (link.type == JointType::Fixed) {
       warn(element, code::kIgnored,
            fmt::format("<mimic> is ignored: the joint {} does not move",
@@ -196,10 +190,10 @@ class Parser {
     }
     Mimic mimic;
     mimic.link = robot_.links.size();
-    mimic.joint = take(elements_.word(element, "joint"));
-    mimic.multiplier = take(elements_.number(element, "multiplier", 1));
-    mimic.offset = take(elements_.number(element, "offset", 0));
-    mimic.spot = elements_.spot(element);
+    mimic.joint = take(values_.word(element, "joint"));
+    mimic.multiplier = take(values_.number(element, "multiplier", 1));
+    mimic.offset = take(values_.number(element, "offset", 0));
+    mimic.spot = values_.spot(element);
     mimics_.push_back(std::move(mimic));
   }
 
@@ -250,19 +244,19 @@ class Parser {
       error(mimic.spot, code::kBadMimic,
             "expected multipliers whose product is finite, found others");
     } else if (leader.type == JointType::Fixed) {
-      elements_.report(Severity::Warning, mimic.spot, code::kIgnored,
-                       fmt::format("<mimic> is ignored: the joint {} does not move, so {} reads "
-                                   "values of its own",
-                                   text::quoted(leader.joint_name),
-                                   text::quoted(robot_.links[mimic.link].joint_name)));
+      values_.warn(mimic.spot, code::kIgnored,
+                   fmt::format("<mimic> is ignored: the joint {} does not move, so {} reads "
+                               "values of its own",
+                               text::quoted(leader.joint_name),
+                               text::quoted(robot_.links[mimic.link].joint_name)));
     } else {
       robot_.links[mimic.link].follows = follows;
     }
   }
 
   /// Reads the type of a joint, and sets its id; joints that move have ids in file order.
-  void read_type(const XMLElement& element, Link& link) {
-    const std::string type = take(elements_.word(element, "type"));
+  void read_type(const Element& element, Link& link) {
+    const std::string type = take(values_.word(element, "type"));
     if (type.empty() || type == "fixed") return;
     if (type == "floating" || type == "planar") {
       warn(element, code::kTakenAsFixed,
@@ -271,56 +265,39 @@ class Parser {
       link.type = type == "prismatic" ? JointType::Prismatic : JointType::Revolute;
       link.joint_id = num_ids_++;
     } else {
-      error(elements_.spot(element), code::kUnknownType,
+      error(values_.spot(element), code::kUnknownType,
             fmt::format("expected revolute, continuous, prismatic, fixed, floating or planar as "
                         "the type of a joint, found {}",
                         text::quoted(type)));
     }
   }
 
-  void read_origin(const XMLElement& element, Link& link) {
-    const XMLElement* origin = element.FirstChildElement("origin");
-    for_each(element, "pose", [this](const XMLElement& pose) {
+  void place_joint(const Element& element, Link& link) {
+    const Element* origin = find_child(element, "origin");
+    for_each(element, "pose", [this](const Element& pose) {
       warn(pose, code::kIgnored, "<pose> is ignored: URDF says the place of a joint by <origin>");
     });
     if (origin == nullptr) return;
-    for_each(element, "origin", [&](const XMLElement& other) {
+    for_each(element, "origin", [&](const Element& other) {
       if (&other != origin)
         warn(other, code::kIgnored, "<origin> is ignored: the first one counts");
     });
-    link.translation = take(elements_.vector(*origin, "xyz", Vec3::Zero()));
-    link.rotation = read_rotation(*origin);
+    const Origin place = take(read_origin(values_, *origin, knows_quaternions_));
+    link.translation = place.translation;
+    link.rotation = place.rotation;
   }
 
-  /// The rotation of an <origin>. Source: urdfdom 5 (pose.cpp, URDF 1.1).
-  Quat read_rotation(const XMLElement& origin) {
-    constexpr const char* kQuaternion = "quat_xyzw";
-    const bool has_quaternion = origin.FindAttribute(kQuaternion) != nullptr;
-    if (has_quaternion && !knows_quaternions_) {
-      elements_.report(Severity::Warning,
-                       elements_.spot(origin, *origin.FindAttribute(kQuaternion)),
-                       code::kQuaternion,
-                       "quat_xyzw is ignored: it needs version=\"1.1\" in <robot> (as in urdfdom)");
-    } else if (has_quaternion && origin.FindAttribute("rpy") != nullptr) {
-      error(elements_.spot(origin), code::kQuaternion,
-            "expected either rpy or quat_xyzw, found both");
-      return Quat::Identity();
-    } else if (has_quaternion) {
-      return take(elements_.quaternion(origin, kQuaternion));
-    }
-    return rotation_of(take(elements_.vector(origin, "rpy", Vec3::Zero())));
-  }
-
-  void read_axis(const XMLElement& element, Link& link) {
-    const XMLElement* axis = element.FirstChildElement("axis");
+  void read_axis(const Element& element, Link& link) {
+    const Element* axis = find_child(element, "axis");
     link.axis = Vec3::UnitX();
-    link.axis_spot = elements_.spot(axis == nullptr ? element : *axis);
-    if (axis != nullptr) link.axis = take(elements_.vector(*axis, "xyz", Vec3::UnitX()));
+    link.axis_spot = values_.spot(axis == nullptr ? element : *axis);
+    if (axis != nullptr) link.axis = take(values_.vector(*axis, "xyz", Vec3(Vec3::UnitX())));
   }
 
-  void read_limit(const XMLElement& element, Link& link) {
-    const bool is_continuous = element.Attribute("type", "continuous") != nullptr;
-    const XMLElement* limit = element.FirstChildElement("limit");
+  void read_limit(const Element& element, Link& link) {
+    const Attribute* type = find_attribute(element, "type");
+    const bool is_continuous = type != nullptr && type->value == "continuous";
+    const Element* limit = find_child(element, "limit");
     if (link.type == JointType::Fixed) return;
     if (limit == nullptr) {
       if (is_continuous) return;
@@ -331,19 +308,26 @@ class Parser {
       return;
     }
     if (!is_continuous) {
-      link.lower = take(elements_.limit(*limit, "lower", 0));
-      link.upper = take(elements_.limit(*limit, "upper", 0));
+      link.lower = take(values_.limit(*limit, "lower", 0));
+      link.upper = take(values_.limit(*limit, "upper", 0));
     }
-    link.max_speed = std::abs(take(elements_.limit(*limit, "velocity", link.max_speed)));
+    link.max_speed = std::abs(take(values_.limit(*limit, "velocity", link.max_speed)));
+  }
+
+  void read_shapes(const Element& robot) {
+    ShapeReader reader(values_.source, values_.diagnostics, robot, knows_quaternions_);
+    std::unordered_map<std::string_view, robot_file::SharedShapes> shapes;
+    for (const std::string& name : names_) shapes[name] = reader.read(*links_.at(name).element);
+    for (Link& link : robot_.links) link.shapes = shapes.at(link.name);
   }
 
   /// The root is the only link without a parent joint.
-  void find_root(const XMLElement& robot) {
+  void find_root(const Element& robot) {
     const std::string* root = nullptr;
     for (const std::string& name : names_) {
       if (links_.at(name).is_child) continue;
       if (root != nullptr) {
-        error(elements_.spot(*links_.at(name).element), code::kBadParent,
+        error(values_.spot(*links_.at(name).element), code::kBadParent,
               fmt::format("expected one link without a joint above it, found {} and {}",
                           text::quoted(*root), text::quoted(name)));
         return;
@@ -352,7 +336,7 @@ class Parser {
     }
     if (root == nullptr) {
       const bool is_empty = names_.empty();
-      error(elements_.spot(is_empty ? robot : *links_.at(names_.front()).element),
+      error(values_.spot(is_empty ? robot : *links_.at(names_.front()).element),
             is_empty ? code::kMissing : code::kCircle,
             is_empty ? "expected a <link> in the <robot>, found none"
                      : "expected a link without a joint above it, found none");
@@ -360,13 +344,13 @@ class Parser {
     }
     Link link;
     link.name = *root;
-    link.spot = elements_.spot(*links_.at(*root).element);
+    link.spot = values_.spot(*links_.at(*root).element);
     link.parent_spot = link.spot;
     robot_.root = robot_.links.size();
     robot_.links.push_back(std::move(link));
   }
 
-  Elements elements_;
+  Values values_;
   robot_file::Robot robot_;
   std::unordered_map<std::string, Known> links_;
   std::vector<std::string> names_;  ///< of links, in file order

@@ -23,9 +23,11 @@ inline constexpr char kTooDeep[] = "WRL012";
 inline constexpr char kTooManyLinks[] = "WRL013";
 inline constexpr char kMisplacedJoint[] = "WRL014";
 inline constexpr char kHeader[] = "WRL015";
+inline constexpr char kLeftOutShape[] = "WRL016";
 
 /// Joints are nested, so there is no circle.
-inline constexpr robot_file::Codes kRobot = {
-    kTooManyLinks, kRepeatedName, kBadParent, kBadParent, kLargeId, kRepeatedId, kNotUnitLength};
+inline constexpr robot_file::Codes kRobot = {kTooManyLinks,  kRepeatedName, kBadParent,
+                                             kBadParent,     kLargeId,      kRepeatedId,
+                                             kNotUnitLength, kLeftOutShape};
 
 }  // namespace kinefile::wrl::code

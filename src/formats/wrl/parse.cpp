@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <utility>
 
 #include "formats/wrl/codes.hpp"
 #include "formats/wrl/parser.hpp"
+#include "formats/wrl/shapes.hpp"
 
 namespace kinefile::wrl {
 namespace {
@@ -17,7 +19,9 @@ constexpr std::size_t kMostLevels = 250;
 class ModelReader {
  public:
   ModelReader(const text::Source& source, Diagnostics& diagnostics)
-      : parser_{source, diagnostics, Lexer(source.text())}, lexer_(parser_.lexer) {}
+      : parser_{source, diagnostics, Lexer(source.text())},
+        lexer_(parser_.lexer),
+        shapes_(source, diagnostics) {}
 
   std::optional<robot_file::Robot> read() {
     const Token start = {TokenKind::Word, parser_.source.text().substr(0, 0)};
@@ -80,10 +84,11 @@ class ModelReader {
       for (int i = 0; i < 4 && lexer_.peek().kind == TokenKind::Word; ++i) lexer_.take();
       return true;
     }
+    const Token start = lexer_.peek();
     std::string name;
     Token type;
     if (!read_node_start(name, type)) return false;
-    if (!type.is("Humanoid")) return type.is("USE") || skip_to_closing(parser_);
+    if (!type.is("Humanoid")) return skip_shapes(start, type, not_shown_);
     if (!robot_.links.empty()) {
       return parser_.fail(type, code::kNotAModel, "expected one Humanoid, found another");
     }
@@ -187,17 +192,35 @@ class ModelReader {
           fmt::format("expected at most {} nodes in each other, found more", kMostLevels));
     }
     if (type.is("Joint")) return read_joint(parent, level, name, start);
-    if (type.is("Group")) return read_group(parent, level);
-    return type.is("USE") || skip_to_closing(parser_);
+    if (type.is("Group")) return read_group(parent, level, name);
+    return skip_shapes(start, type, shapes_of(parent));
   }
 
-  bool read_group(std::size_t parent, std::size_t level) {
+  /// Skips a node without Joints, and reads the shapes in it.
+  bool skip_shapes(const Token& start, const Token& type, std::vector<PlacedPrimitive>& shapes) {
+    if (!type.is("USE") && !skip_to_closing(parser_)) return false;
+    shapes_.read(start, shapes);
+    return true;
+  }
+
+  /// The shapes of a link; without one, those that nothing shows.
+  std::vector<PlacedPrimitive>& shapes_of(std::size_t link) {
+    return link == kNoParent ? not_shown_ : shapes_of_links_[link];
+  }
+
+  bool read_group(std::size_t parent, std::size_t level, const std::string& name) {
+    const std::size_t num_before = shapes_of(parent).size();
     while (!lexer_.peek().is("}")) {
       if (lexer_.peek().kind != TokenKind::Word) return parser_.unexpected("a field or '}'");
       const bool has_children = lexer_.take().is("children");
       if (!(has_children ? read_children(parent, level + 1) : skip_value(parser_))) return false;
     }
     lexer_.take();
+    const auto& shapes = shapes_of(parent);
+    if (!name.empty()) {
+      shapes_.define(name,
+                     {shapes.begin() + static_cast<std::ptrdiff_t>(num_before), shapes.end()});
+    }
     return true;
   }
 
@@ -211,6 +234,7 @@ class ModelReader {
     }
     robot_.links.emplace_back();
     parents_.push_back(parent);
+    shapes_of_links_.emplace_back();
     JointFields joint = defaults_;
     joint.link.spot = parser_.spot(start);
     joint.link.parent_spot = joint.link.spot;
@@ -233,6 +257,7 @@ class ModelReader {
                                       text::quoted(joint.link.name)));
     }
     if (!name.empty() && joint.name != name) joint.link.joint_name = joint.name;
+    joint.link.shapes = shapes_.placed(shapes_of_links_[index]);
     robot_.links[index] = std::move(joint.link);
     return true;
   }
@@ -242,7 +267,10 @@ class ModelReader {
   Token field_;
   JointFields defaults_;
   robot_file::Robot robot_;
+  ShapeReader shapes_;
   std::vector<std::size_t> parents_;  ///< of every link
+  std::deque<std::vector<PlacedPrimitive>> shapes_of_links_;
+  std::vector<PlacedPrimitive> not_shown_;  ///< shapes outside of all links
 };
 
 }  // namespace

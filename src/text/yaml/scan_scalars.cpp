@@ -7,29 +7,11 @@
 #include <array>
 #include <cstring>
 
+#include "text/decode.hpp"
 #include "text/yaml/scanner.hpp"
 
 namespace kinefile::text::yaml {
 namespace {
-
-void append_utf8(std::string& out, std::uint32_t code) {
-  const auto add = [&out](std::uint32_t byte) { out += static_cast<char>(byte); };
-  if (code < 0x80) {
-    add(code);
-  } else if (code < 0x800) {
-    add(0xC0 | (code >> 6));
-    add(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    add(0xE0 | (code >> 12));
-    add(0x80 | ((code >> 6) & 0x3F));
-    add(0x80 | (code & 0x3F));
-  } else {
-    add(0xF0 | (code >> 18));
-    add(0x80 | ((code >> 12) & 0x3F));
-    add(0x80 | ((code >> 6) & 0x3F));
-    add(0x80 | (code & 0x3F));
-  }
-}
 
 /// The value of a hexadecimal digit; 16 for other characters.
 std::uint32_t hex_digit(char c) {

@@ -9,6 +9,7 @@
 
 #include "formats/robots/robots.hpp"
 #include "kinefile/io.hpp"
+#include "support/motion_checks.hpp"
 #include "text/yaml/tree.hpp"
 
 namespace kinefile::test {
@@ -47,6 +48,61 @@ TEST(RobotRealFiles, HaveTheLinksAndJointsThatChoreonoidCounts) {
     EXPECT_EQ(skeleton.joints.size(), counts.links) << name;
     EXPECT_EQ(num_joint_ids(document), counts.joints) << name;
     EXPECT_EQ(skeleton.coordinates.size(), 7 + counts.joints + counts.virtual_joints) << name;
+  }
+}
+
+TEST(RobotRealFiles, HaveTheShapesThatTheirTextsCount) {
+  SKIP_WITHOUT_DATA();
+  // Counted by a script that parses YAML and XML.
+  const std::map<std::string, std::size_t> kExpected = {
+      {"choreonoid/model/SR1.body", 49},
+      {"choreonoid/model/SR1.urdf", 47},
+      {"choreonoid/model/PA10/PA10.body", 0},
+      {"choreonoid/model/misc/ClosedLinkSample.body", 10},
+      {"choreonoid/model/misc/ContinuousTrackVehicle.body", 89},
+      {"choreonoid/model/misc/FourWheelCar.body", 10},
+      {"choreonoid/model/misc/PxCrawler.body", 7},
+      {"choreonoid/model/misc/Torus.body", 0},
+      {"choreonoid/model/misc/ellipsoid1.body", 1},
+      {"choreonoid/model/misc/fencedfloor.body", 5},
+      {"choreonoid/model/misc/longtable.body", 5},
+      {"choreonoid/model/misc/pendulum.body", 2},
+      {"choreonoid/model/misc/ragdoll.body", 16},
+      {"choreonoid/model/misc/submersible.body", 6},
+      {"robots/booster_t1/t1_23dof.urdf", 12},
+      {"robots/unitree_h1/h1.urdf", 3},
+      {"robots/unitree_g1/g1_29dof_rev_1_0.urdf", 0},
+  };
+  for (const auto& [name, count] : kExpected) {
+    Diagnostics diagnostics;
+    const auto document = read_file(data_folder() + "/" + name, nullptr, {}, diagnostics);
+    ASSERT_TRUE(document) << name;
+    EXPECT_EQ(num_shapes(skeleton_of(*document)), count) << name;
+    EXPECT_EQ(count_code(diagnostics, "BDY018") + count_code(diagnostics, "URD016"), 0u) << name;
+  }
+}
+
+/// Whether two shapes look the same but for their colour.
+bool look_alike(const VisualShape& a, const VisualShape& b) {
+  const Vec3 axis_a = a.rotation * Vec3::UnitZ();
+  const Vec3 axis_b = b.rotation * Vec3::UnitZ();
+  return a.kind == b.kind && (a.size - b.size).norm() < 1e-6 &&
+         (a.position - b.position).norm() < 1e-6 &&
+         (a.kind == ShapeKind::Sphere || std::abs(axis_a.dot(axis_b)) > 1 - 1e-6);
+}
+
+TEST(RobotRealFiles, ARobotLooksTheSameInBothFormats) {
+  SKIP_WITHOUT_DATA();
+  const Document body = read_model(models() + "SR1.body");
+  const Document urdf = read_model(models() + "SR1.urdf");
+  for (const Joint& joint : skeleton_of(urdf).joints) {
+    const auto& others =
+        skeleton_of(body).joints.at(joint_of_name(skeleton_of(body), joint.name)).visuals;
+    for (const VisualShape& shape : joint.visuals) {
+      EXPECT_TRUE(std::any_of(others.begin(), others.end(), [&shape](const VisualShape& other) {
+        return look_alike(shape, other);
+      })) << joint.name;
+    }
   }
 }
 

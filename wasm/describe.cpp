@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "describe.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "kinefile/evidence.hpp"
 #include "kinefile/info.hpp"
@@ -47,12 +49,46 @@ Json json_of(const Joint& joint) {
   return json;
 }
 
+/// What each column measures: "length", "angle", or nothing for parts of a quaternion, scales, and
+/// columns that move nothing.
+std::vector<const char*> measures_of(const Skeleton& skeleton) {
+  std::vector<const char*> measures(skeleton.coordinates.size(), "");
+  const auto set = [&](std::size_t first, std::size_t count, const char* measure) {
+    std::fill_n(measures.begin() + static_cast<std::ptrdiff_t>(first), count, measure);
+  };
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      switch (dof.kind) {
+        case DofKind::Rotation:
+          set(dof.coordinate, 1, "angle");
+          break;
+        case DofKind::RotationVector:
+          set(dof.coordinate, 3, "angle");
+          break;
+        case DofKind::Translation:
+        case DofKind::TailTranslation:
+          set(dof.coordinate, 1, "length");
+          break;
+        case DofKind::Free:
+          set(dof.coordinate, 3, "length");
+          break;
+        case DofKind::Ball:
+        case DofKind::TailScale:
+          break;
+      }
+    }
+  }
+  return measures;
+}
+
 Json joints_of(const Skeleton& skeleton) {
   Json joints = Json::array();
   for (const Joint& joint : skeleton.joints) joints.push_back(json_of(joint));
+  const std::vector<const char*> measures = measures_of(skeleton);
   for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
     const Coordinate& coordinate = skeleton.coordinates[c];
-    joints[coordinate.joint]["channels"].push_back({{"name", coordinate.channel}, {"column", c}});
+    joints[coordinate.joint]["channels"].push_back(
+        {{"name", coordinate.channel}, {"column", c}, {"measure", measures[c]}});
   }
   return joints;
 }

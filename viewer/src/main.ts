@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Starts the page: first what can be seen, then the core and the scene.
 import {makeActions} from './actions.ts';
-import {startCore} from './core/core.ts';
-import {byId} from './elements.ts';
+import {type Core, startCore} from './core/core.ts';
+import {byId, el} from './elements.ts';
 import {carriedFiles, chosenFiles, droppedFiles} from './files.ts';
 import {makeMotionList} from './panels/motions.ts';
 import {makeTransport} from './panels/transport.ts';
+import {makeViews} from './panels/views.ts';
+import {offerPictures, type Studio} from './picture.ts';
 import {runPlayback} from './playback.ts';
-import {makePoseCache} from './poses.ts';
+import {makePoseCache, type PoseCache} from './poses.ts';
 import {makeScene, type Scene} from './scene/scene.ts';
 import {makeStore} from './state.ts';
 import {fillWords, preferredLanguage, setLanguage, t, type Word} from './words.ts';
@@ -42,7 +44,21 @@ store.on(['busy', 'message', 'language'], ({busy, message}) => {
 const painted = () =>
   new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 
-async function start(): Promise<void> {
+/** The scene; where the browser has no WebGL, a message in its place, and the rest works. */
+function startScene(core: Core, poses: PoseCache): Scene | null {
+  try {
+    const scene = makeScene(byId('canvas'), store, core, poses);
+    makeViews(store, scene);
+    return scene;
+  } catch {
+    byId('canvas').hidden = true;
+    byId('stage').append(el('p', {class: 'no-scene', attributes: {'data-word': 'no_webgl'}}));
+    fillWords();
+    return null;
+  }
+}
+
+async function start(): Promise<Studio> {
   const [core, carried] = await Promise.all([startCore(), carriedFiles(), painted()]);
   let scene: Scene | null = null;
   const poses = makePoseCache(core, () => scene?.invalidate());
@@ -50,7 +66,7 @@ async function start(): Promise<void> {
   makeMotionList(store, actions);
   makeTransport(store);
   runPlayback(store);
-  scene = makeScene(byId('canvas'), store, poses);
+  scene = startScene(core, poses);
   store.set({busy: ''});
 
   for (const {path, bytes} of carried.files) await core.addFile(path, bytes);
@@ -68,6 +84,9 @@ async function start(): Promise<void> {
     event.preventDefault();
     if (event.dataTransfer) await actions.openFiles(await droppedFiles(event.dataTransfer.items));
   });
+  return {store, scene, poses};
 }
 
-start().catch((fault) => store.set({busy: '', message: String(fault)}));
+const started = start();
+offerPictures(started);
+started.catch((fault) => store.set({busy: '', message: String(fault)}));

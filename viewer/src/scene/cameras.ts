@@ -1,67 +1,166 @@
 // SPDX-License-Identifier: MIT
-// Cameras: a free one that orbits or follows, and straight views from front, side and top.
+// Cameras: a free one that orbits or follows, and straight views from front, side and top. All of
+// them look at the same target.
 import * as THREE from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import type {Camera} from '../state.ts';
 
-export interface Cameras {
-  readonly current: THREE.PerspectiveCamera | THREE.OrthographicCamera;
-  controls: OrbitControls;
-  resize(width: number, height: number): void;
-  /** Shows a box from the direction of a view. */
-  frame(box: THREE.Box3, view: Camera, facing: THREE.Vector3): void;
-  /** Moves the camera along with a point, when it follows. */
-  moveTo(target: THREE.Vector3): void;
+export type AnyCamera = THREE.PerspectiveCamera | THREE.OrthographicCamera;
+
+/** A camera, what it looks at, and half the height of what it sees there. */
+export interface View {
+  camera: AnyCamera;
+  target: THREE.Vector3;
+  halfHeight: number;
 }
 
-const kFieldOfView = 35;
-const kMargin = 1.15;
+export interface Cameras {
+  readonly current: AnyCamera;
+  readonly target: THREE.Vector3;
+  /** Whether a person has moved it since it framed something. */
+  readonly isMoved: boolean;
+  /** Half the height of what is seen at the target, in metres. */
+  halfHeight(): number;
+  resize(width: number, height: number): void;
+  /**
+   * Looks from the direction of a view, at the target, at the same scale. The free camera returns to
+   * where it was, or, anew, to where it looks at first.
+   */
+  setView(view: Camera, facing: THREE.Vector3, anew?: boolean): void;
+  /** Moves so that a box fills the picture, without turning. */
+  frame(box: THREE.Box3): void;
+  /** Moves the camera along with a point, when it follows. */
+  moveTo(target: THREE.Vector3): void;
+  /** Fits near and far to a scene that reaches so far from the target. */
+  setRange(reach: number): void;
+  /** Turns by angles around the target; straight views are moved instead. */
+  turn(right: number, up: number): void;
+  /** Moves by parts of half the picture's height. */
+  pan(right: number, up: number): void;
+  zoom(factor: number): void;
+  /** Another camera that looks the same way, for a picture of other proportions; it shows a box. */
+  framed(box: THREE.Box3 | null, aspect: number): View;
+  /** How wide a box looks, relative to its height. */
+  aspectOf(box: THREE.Box3): number;
+}
 
-/** Where a view looks from, seen from the figure. */
-function directionOf(view: Camera, facing: THREE.Vector3): THREE.Vector3 {
-  const left = new THREE.Vector3(0, 1, 0).cross(facing);
+const kFieldOfView = 32;
+const kSlope = Math.tan(THREE.MathUtils.degToRad(kFieldOfView / 2));
+const kMargin = 1.16;
+const kUp = new THREE.Vector3(0, 1, 0);
+
+export const isStraight = (view: Camera): boolean =>
+  view === 'front' || view === 'side' || view === 'top';
+
+/** A facing that is this close to an axis is along it, in radians: grids then look straight. */
+const kAlmostStraight = 0.14;
+
+function straightened(facing: THREE.Vector3): THREE.Vector3 {
+  const quarter = Math.PI / 2;
+  const angle = Math.atan2(facing.x, facing.z);
+  const nearest = Math.round(angle / quarter) * quarter;
+  if (Math.abs(angle - nearest) > kAlmostStraight) return facing;
+  return new THREE.Vector3(Math.round(Math.sin(nearest)), 0, Math.round(Math.cos(nearest)));
+}
+
+/**
+ * Where a view looks from, seen from the figure. From the side, it walks to the right; from the top,
+ * it walks upwards.
+ */
+function directionOf(view: Camera, given: THREE.Vector3): THREE.Vector3 {
+  const facing = straightened(given);
+  const left = new THREE.Vector3().crossVectors(kUp, facing);
   switch (view) {
     case 'front':
       return facing.clone();
     case 'side':
-      return left;
+      return left.negate();
     case 'top':
-      return new THREE.Vector3(0, 1, 0).addScaledVector(facing, 1e-4);
+      return kUp.clone().addScaledVector(facing, -1e-4).normalize();
     default:
-      return facing.clone().multiplyScalar(1).addScaledVector(left, 0.55).setY(0.32).normalize();
+      return facing.clone().addScaledVector(left, 0.6).setY(0.34).normalize();
   }
+}
+
+/** The corners of a box, from its middle, along a camera's axes. */
+function cornersOf(box: THREE.Box3, camera: AnyCamera): THREE.Vector3[] {
+  const inverse = camera.quaternion.clone().invert();
+  const half = box.getSize(new THREE.Vector3()).multiplyScalar(0.5);
+  const corners: THREE.Vector3[] = [];
+  for (let k = 0; k < 8; k++) {
+    const side = new THREE.Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    corners.push(side.multiply(half).applyQuaternion(inverse));
+  }
+  return corners;
+}
+
+/** How high half of a picture must be, at the middle of a box, to hold all of the box. */
+function halfHeightFor(box: THREE.Box3, camera: AnyCamera, aspect: number): number {
+  let half = 1e-4;
+  for (const {x, y, z} of cornersOf(box, camera)) {
+    const near = camera instanceof THREE.PerspectiveCamera ? z * kSlope : 0;
+    half = Math.max(half, Math.abs(x) / aspect + near, Math.abs(y) + near);
+  }
+  return half * kMargin;
+}
+
+function sizeStraight(camera: THREE.OrthographicCamera, half: number, aspect: number): void {
+  camera.top = half;
+  camera.bottom = -half;
+  camera.right = half * aspect;
+  camera.left = -half * aspect;
+  camera.zoom = 1;
+  camera.updateProjectionMatrix();
 }
 
 export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Cameras {
   const perspective = new THREE.PerspectiveCamera(kFieldOfView, 1, 0.01, 1000);
   const straight = new THREE.OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
-  const controls: OrbitControls = new OrbitControls(perspective, canvas);
-  controls.addEventListener('change', onChange);
+  const controls = new OrbitControls<AnyCamera>(perspective, canvas);
+  perspective.position.set(0, 1, 4);
   let aspect = 1;
-  let current: THREE.PerspectiveCamera | THREE.OrthographicCamera = perspective;
+  let current: AnyCamera = perspective;
+  let reach = 1;
+  let isMoved = false;
+  let isHeld = false;
+  /** Where the free camera looked from. */
+  const freely = new THREE.Vector3();
+  controls.addEventListener('change', () => {
+    isMoved ||= isHeld;
+    onChange();
+  });
+  controls.addEventListener('start', () => {
+    isHeld = true;
+  });
+  controls.addEventListener('end', () => {
+    isHeld = false;
+  });
 
-  /** How far away a sphere of a radius fits into the picture. */
-  const distanceFor = (radius: number): number => {
-    const half = THREE.MathUtils.degToRad(kFieldOfView / 2);
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
-    return (radius / Math.sin(narrow)) * kMargin;
-  };
+  const {target} = controls;
+  const halfHeight = () =>
+    current === straight
+      ? straight.top / straight.zoom
+      : kSlope * perspective.position.distanceTo(target);
 
-  const sizeStraight = (radius: number) => {
-    const half = (radius * kMargin) / Math.min(1, aspect);
-    straight.top = half;
-    straight.bottom = -half;
-    straight.right = half * aspect;
-    straight.left = -half * aspect;
-    straight.zoom = 1;
-    straight.updateProjectionMatrix();
+  /** Puts the current camera in a direction from the target. */
+  const place = (direction: THREE.Vector3, half: number) => {
+    current.position.copy(target).addScaledVector(direction, half / kSlope);
+    sizeStraight(straight, half, aspect);
+    current.lookAt(target);
+    controls.object = current;
+    controls.update();
   };
+  const direction = () => current.position.clone().sub(target).normalize();
 
   return {
+    target,
     get current() {
       return current;
     },
-    controls,
+    get isMoved() {
+      return isMoved;
+    },
+    halfHeight,
     resize(width, height) {
       aspect = width / Math.max(1, height);
       perspective.aspect = aspect;
@@ -70,26 +169,83 @@ export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Ca
       straight.left = -straight.right;
       straight.updateProjectionMatrix();
     },
-    frame(box, view, facing) {
-      const isStraight = view === 'front' || view === 'side' || view === 'top';
-      current = isStraight ? straight : perspective;
-      const centre = box.getCenter(new THREE.Vector3());
-      const radius = Math.max(0.05, box.getSize(new THREE.Vector3()).length() / 2);
-      const distance = distanceFor(radius);
-      perspective.near = distance / 500;
-      perspective.far = distance * 50;
-      perspective.updateProjectionMatrix();
-      sizeStraight(radius);
-      current.position.copy(centre).addScaledVector(directionOf(view, facing), distance);
-      (controls as {object: THREE.Camera}).object = current;
-      controls.target.copy(centre);
-      controls.enableRotate = !isStraight;
+    setView(view, facing, anew = false) {
+      const half = halfHeight();
+      if (anew) freely.set(0, 0, 0);
+      else if (current === perspective && freely.lengthSq() > 0) freely.copy(direction());
+      current = isStraight(view) ? straight : perspective;
+      controls.enableRotate = current === perspective;
+      controls.mouseButtons.LEFT = controls.enableRotate ? THREE.MOUSE.ROTATE : THREE.MOUSE.PAN;
+      controls.touches.ONE = controls.enableRotate ? THREE.TOUCH.ROTATE : THREE.TOUCH.PAN;
+      if (current === perspective && freely.lengthSq() === 0) {
+        freely.copy(directionOf(view, facing));
+      }
+      place(current === perspective ? freely : directionOf(view, facing), half);
+    },
+    frame(box) {
+      const from = direction();
+      box.getCenter(target);
+      place(from, halfHeightFor(box, current, aspect));
+      isMoved = false;
+    },
+    moveTo(point) {
+      current.position.add(point).sub(target);
+      target.copy(point);
       controls.update();
     },
-    moveTo(target) {
-      current.position.add(target.clone().sub(controls.target));
-      controls.target.copy(target);
+    setRange(given) {
+      reach = given;
+      const distance = current.position.distanceTo(target);
+      current.near = current === perspective ? distance / 60 : -2 * reach;
+      current.far = distance + 2 * reach;
+      current.updateProjectionMatrix();
+    },
+    turn(right, up) {
+      isMoved = true;
+      if (current === straight) return this.pan(right, up);
+      const place = new THREE.Spherical().setFromVector3(current.position.clone().sub(target));
+      place.theta += right;
+      place.phi -= up;
+      place.makeSafe();
+      current.position.setFromSpherical(place).add(target);
       controls.update();
+    },
+    pan(right, up) {
+      isMoved = true;
+      const half = halfHeight();
+      const move = new THREE.Vector3(right * half, up * half, 0).applyQuaternion(
+        current.quaternion,
+      );
+      this.moveTo(move.add(target));
+      onChange();
+    },
+    zoom(factor) {
+      isMoved = true;
+      place(direction(), halfHeight() / factor);
+      onChange();
+    },
+    framed(box, wanted) {
+      const camera: AnyCamera = current.clone();
+      const middle = box === null ? target.clone() : box.getCenter(new THREE.Vector3());
+      const half = box === null ? halfHeight() : halfHeightFor(box, camera, wanted);
+      camera.position.copy(middle).addScaledVector(direction(), half / kSlope);
+      if (camera instanceof THREE.PerspectiveCamera) {
+        camera.aspect = wanted;
+        camera.near = half / kSlope / 60;
+        camera.far = half / kSlope + 2 * reach;
+        camera.updateProjectionMatrix();
+      } else {
+        camera.far = half / kSlope + 2 * reach;
+        sizeStraight(camera, half, wanted);
+      }
+      camera.updateMatrixWorld();
+      return {camera, target: middle, halfHeight: half};
+    },
+    aspectOf(box) {
+      const corners = cornersOf(box, current);
+      const width = Math.max(...corners.map(({x}) => Math.abs(x)));
+      const height = Math.max(...corners.map(({y}) => Math.abs(y)));
+      return height > 0 ? Math.max(0.2, Math.min(5, width / height)) : 1;
     },
   };
 }

@@ -1,165 +1,185 @@
 // SPDX-License-Identifier: MIT
-// A figure: a solid bone from each joint to its children and tips, a ball at each joint. Everything
-// below `root` is in the file's coordinates.
+// A figure: the bones of a skeleton, or the shapes of a robot. Everything below `root` is in the
+// file's coordinates.
 import * as THREE from 'three';
 import type {Description} from '../core/types.ts';
 import type {FramePoses} from '../poses.ts';
+import {makeBones} from './bones.ts';
+import {hasShapes, makeShapes} from './shapes.ts';
+import {kSelected} from './theme.ts';
 
 export interface Figure {
   root: THREE.Group;
+  /** What it shows; null: nothing yet. */
+  readonly shown: FramePoses | null;
+  /** Its size in the file's unit of length: from its first pose on. */
+  readonly size: number;
+  /** The box around its joints and tips, in the file's coordinates. */
+  readonly box: THREE.Box3;
   /** Moves everything to a frame. */
   show(poses: FramePoses): void;
-  setColour(colour: string): void;
+  /** Takes another description of the same joints: its size may have changed. */
+  redescribe(document: Description): void;
+  /** Its colour, and how much of it the shapes with a colour of their own take, 0 to 1. */
+  paint(colour: string, tint: number): void;
   /** Marks a joint; -1: none. */
   select(joint: number): void;
+  /** Shows a robot's shapes, if it has some, or its bones. */
+  useShapes(wanted: boolean): void;
   /** The joint that a ray hits first, and how far away; null: none. */
   hit(ray: THREE.Raycaster): {joint: number; distance: number} | null;
   dispose(): void;
 }
 
-/** Where a bone begins and ends: a joint, and another joint or a tip. */
-export interface Bone {
-  from: number;
-  to: number;
-  isTip: boolean;
+/** The box around all points of a pose. */
+export function boxOfPoses({positions, tips}: FramePoses, box: THREE.Box3): THREE.Box3 {
+  const {min, max} = box.makeEmpty();
+  for (const points of [positions, tips]) {
+    for (let at = 0; at + 2 < points.length; at += 3) {
+      const x = points[at];
+      const y = points[at + 1];
+      const z = points[at + 2];
+      if (!Number.isFinite(x + y + z)) continue;
+      min.set(Math.min(min.x, x), Math.min(min.y, y), Math.min(min.z, z));
+      max.set(Math.max(max.x, x), Math.max(max.y, y), Math.max(max.z, z));
+    }
+  }
+  return box;
 }
 
-/** The bones of a skeleton. */
-export function bonesOf(document: Description): Bone[] {
-  const bones: Bone[] = [];
-  let tip = 0;
-  document.joints.forEach((joint, index) => {
-    if (joint.parent >= 0) bones.push({from: joint.parent, to: index, isTip: false});
-    for (let k = 0; k < joint.tips.length; k++) bones.push({from: index, to: tip++, isTip: true});
-  });
-  return bones;
-}
-
-/** A bone along +y of length 1 and width 1: thickest near its start. */
-function boneGeometry(): THREE.BufferGeometry {
-  return new THREE.LatheGeometry(
-    [
-      new THREE.Vector2(0.0001, 0),
-      new THREE.Vector2(0.34, 0.03),
-      new THREE.Vector2(0.5, 0.12),
-      new THREE.Vector2(0.44, 0.3),
-      new THREE.Vector2(0.2, 0.96),
-      new THREE.Vector2(0.0001, 1),
-    ],
-    12,
-  );
-}
-
-const kBone = boneGeometry();
-const kBall = new THREE.SphereGeometry(1, 16, 12);
-
-/** Widths relative to the figure's height. */
-const kBoneWidth = 0.036;
-const kBallRadius = 0.014;
-
-/** The figure's size in the file's unit, from which widths follow. */
-function sizeOf(document: Description): number {
+/** The figure's size in the file's unit: how high it stands, where that fits its pose. */
+export function sizeOf(document: Description, box: THREE.Box3): number {
+  const diagonal = box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length();
   const height = Number(document.height);
-  if (Number.isFinite(height) && height > 0) return height;
-  return 1 / document.unit.metres;
+  if (!(diagonal > 0)) return height > 0 ? height : 1 / document.unit.metres;
+  return height > 0 ? Math.max(0.4 * diagonal, Math.min(diagonal, height)) : 0.7 * diagonal;
 }
 
-export function makeFigure(document: Description, colour: string): Figure {
-  const bones = bonesOf(document);
-  const size = sizeOf(document);
-  const material = new THREE.MeshStandardMaterial({roughness: 0.55, metalness: 0.05});
-  const ballMaterial = new THREE.MeshStandardMaterial({roughness: 0.4, metalness: 0.1});
-  const bars = new THREE.InstancedMesh(kBone, material, Math.max(1, bones.length));
-  const balls = new THREE.InstancedMesh(kBall, ballMaterial, document.joints.length);
-  for (const mesh of [bars, balls]) {
-    mesh.castShadow = mesh.receiveShadow = true;
+/** How much darker balls are than bones. */
+const kBallShade = 0.72;
+const kNeutral = new THREE.Color(0xb9c0c9);
+/** How much of the motion's colour shapes without any colour take. */
+const kNeutralTint = 0.45;
+
+/** Makes a figure; with an opacity below 1 it is a ghost, which casts no shadow. */
+export function makeFigure(document: Description, opacity = 1): Figure {
+  const isGhost = opacity < 1;
+  const material = new THREE.MeshStandardMaterial({
+    roughness: 0.6,
+    metalness: 0,
+    transparent: isGhost,
+    opacity,
+  });
+  const skeleton = makeBones(document, material);
+  const shapes = hasShapes(document) ? makeShapes(document, material) : null;
+  const meshes = [skeleton.bars, skeleton.balls, ...(shapes?.meshes ?? [])];
+  for (const mesh of meshes) {
+    mesh.castShadow = mesh.receiveShadow = !isGhost;
     mesh.frustumCulled = false;
     mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
+    if (isGhost) mesh.renderOrder = 1;
   }
-  bars.count = bones.length;
+  // Balls lie within the shadows of their bones.
+  skeleton.balls.castShadow = false;
   const root = new THREE.Group();
   root.matrixAutoUpdate = false;
-  root.add(bars, balls);
-  let selected = -1;
+  root.add(...meshes);
 
-  const start = new THREE.Vector3();
-  const end = new THREE.Vector3();
-  const along = new THREE.Vector3();
-  const up = new THREE.Vector3(0, 1, 0);
-  const turn = new THREE.Quaternion();
-  const scale = new THREE.Vector3();
-  const matrix = new THREE.Matrix4();
-
-  const placeBars = ({positions, tips}: FramePoses) => {
-    bones.forEach((bone, index) => {
-      start.fromArray(positions, bone.from * 3);
-      end.fromArray(bone.isTip ? tips : positions, bone.to * 3);
-      along.subVectors(end, start);
-      const length = along.length();
-      // A bone without length, or one that is not finite, is not there.
-      const width = length > 1e-9 ? Math.min(kBoneWidth * size, length * 0.35) : 0;
-      if (width > 0) turn.setFromUnitVectors(up, along.divideScalar(length));
-      matrix.compose(start, turn, scale.set(width, width > 0 ? length : 0, width));
-      bars.setMatrixAt(index, matrix);
-    });
-    bars.instanceMatrix.needsUpdate = true;
-  };
-
-  const placeBalls = ({positions}: FramePoses) => {
-    for (let joint = 0; joint < document.joints.length; joint++) {
-      const radius = kBallRadius * size * (joint === selected ? 1.9 : 1);
-      matrix.compose(
-        start.fromArray(positions, joint * 3),
-        turn.identity(),
-        scale.set(radius, radius, radius),
-      );
-      balls.setMatrixAt(joint, matrix);
-    }
-    balls.instanceMatrix.needsUpdate = true;
-  };
-
-  const paint = (own: string) => {
-    const base = new THREE.Color(own);
-    material.color.copy(base);
-    const ball = base.clone().offsetHSL(0, 0, -0.12);
-    for (let joint = 0; joint < document.joints.length; joint++) {
-      balls.setColorAt(joint, joint === selected ? new THREE.Color('#ff3b6b') : ball);
-    }
-    if (balls.instanceColor) balls.instanceColor.needsUpdate = true;
-  };
-
+  const box = new THREE.Box3();
   let shown: FramePoses | null = null;
-  let own = colour;
-  paint(own);
+  let described = document;
+  let size = 0;
+  let selected = -1;
+  let own = new THREE.Color();
+  let tint = 0;
+  let areShapes = shapes !== null;
+  let isStale = false;
+
+  const update = () => {
+    if (shown === null) return;
+    isStale = true;
+    if (areShapes) shapes!.show(shown);
+    else skeleton.show(shown, size, selected);
+  };
+
+  const repaint = () => {
+    const marked = new THREE.Color(kSelected);
+    const ball = own.clone().multiplyScalar(kBallShade);
+    const near = own.clone().lerp(marked, 0.45);
+    skeleton.bones.forEach((bone, k) => {
+      skeleton.bars.setColorAt(k, bone.from === selected ? near : own);
+    });
+    for (let joint = 0; joint < document.joints.length; joint++) {
+      skeleton.balls.setColorAt(joint, joint === selected ? marked : ball);
+    }
+    for (const {instanceColor} of [skeleton.bars, skeleton.balls]) {
+      if (instanceColor) instanceColor.needsUpdate = true;
+    }
+    shapes?.paint((joint, colour, out) => {
+      if (colour === null) out.copy(kNeutral).lerp(own, kNeutralTint);
+      else out.setRGB(...colour, THREE.SRGBColorSpace).lerp(own, tint);
+      if (joint === selected) out.lerp(marked, 0.8);
+    });
+  };
+
+  const showMeshes = () => {
+    skeleton.bars.visible = skeleton.balls.visible = !areShapes;
+    for (const mesh of shapes?.meshes ?? []) mesh.visible = areShapes;
+  };
+  showMeshes();
+
   return {
     root,
-    show(poses) {
-      shown = poses;
-      placeBars(poses);
-      placeBalls(poses);
+    box,
+    get shown() {
+      return shown;
     },
-    setColour(given) {
-      own = given;
-      paint(own);
+    get size() {
+      return size;
+    },
+    show(poses) {
+      boxOfPoses(poses, box);
+      if (size === 0) size = sizeOf(described, box);
+      shown = poses;
+      update();
+    },
+    redescribe(given) {
+      described = given;
+      size = 0;
+    },
+    paint(colour, given) {
+      own = new THREE.Color(colour);
+      tint = given;
+      repaint();
     },
     select(joint) {
+      if (joint === selected) return;
       selected = joint;
-      paint(own);
-      if (shown !== null) placeBalls(shown);
+      repaint();
+      update();
+    },
+    useShapes(wanted) {
+      if (areShapes === (wanted && shapes !== null)) return;
+      areShapes = !areShapes;
+      showMeshes();
+      update();
     },
     hit(ray) {
-      bars.computeBoundingSphere();
-      balls.computeBoundingSphere();
-      const found = ray.intersectObjects([balls, bars], false)[0];
+      if (isStale) for (const mesh of meshes) mesh.computeBoundingSphere();
+      isStale = false;
+      const found = ray.intersectObjects(
+        meshes.filter((mesh) => mesh.visible && mesh.count > 0),
+        false,
+      )[0];
       if (found?.instanceId === undefined) return null;
-      const joint = found.object === balls ? found.instanceId : bones[found.instanceId].from;
-      return {joint, distance: found.distance};
+      const {object, instanceId, distance} = found;
+      if (object === skeleton.balls) return {joint: instanceId, distance};
+      if (object === skeleton.bars) return {joint: skeleton.bones[instanceId].from, distance};
+      return {joint: shapes!.jointOf(object, instanceId), distance};
     },
     dispose() {
-      bars.dispose();
-      balls.dispose();
+      for (const mesh of meshes) mesh.dispose();
       material.dispose();
-      ballMaterial.dispose();
     },
   };
 }

@@ -1,113 +1,233 @@
 // SPDX-License-Identifier: MIT
-// The scene draws the state: a figure for each motion that is visible, at the time that is shown.
+// The scene draws the state: a figure for each motion that is visible, at the time that is shown,
+// and what is shown beside the figures. It draws only when something has changed.
 import * as THREE from 'three';
-import type {PoseCache} from '../poses.ts';
-import {activeMotion, type OpenMotion, type Store} from '../state.ts';
-import {shownFrame} from '../times.ts';
-import {makeCameras} from './cameras.ts';
-import {type Figure, makeFigure} from './figure.ts';
-import {boxOf, facingOf, sceneFromFile} from './placement.ts';
-import {makeStage} from './stage.ts';
+import type {Core} from '../core/core.ts';
+import {byId} from '../elements.ts';
+import type {FramePoses, PoseCache} from '../poses.ts';
+import {activeMotion, type Store} from '../state.ts';
+import {makeAxes} from './axes.ts';
+import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
+import {makeContacts} from './contacts.ts';
+import {type Figures, makeFigures} from './figures.ts';
+import {cellSize} from './floor.ts';
+import {floorHeight, follow, framedBox, kSkin} from './framing.ts';
+import {makeGhosts} from './ghosts.ts';
+import {watchKeys} from './keys.ts';
+import {makeNames} from './names.ts';
+import {makeOffers, type Offers} from './offers.ts';
+import {jointOfPath, makePaths} from './paths.ts';
+import {facingOf, makeStarts, offsetsOf} from './placement.ts';
+import {makeScale} from './scale.ts';
+import {makeStage, type Stage} from './stage.ts';
 
 export interface Scene {
+  stage: Stage;
+  cameras: Cameras;
+  figures: Figures;
   /** Draws soon. */
   invalidate(): void;
   /** Shows everything from the view of the state. */
   frameAll(): void;
+  offers: Offers;
+  /** Moves everything to a time, as far as its poses are there. */
+  update(seconds: number, given?: ReadonlyMap<number, FramePoses>): boolean;
+  /**
+   * Fits floor and light to a view whose picture has so many pixels of height.
+   * \return the width of a cell of the grid, in metres
+   */
+  prepare(view: View, pixels: number): number;
+  /** The box that the view shows by itself. */
+  framed(): THREE.Box3;
+  /** The box around all visible figures at some moments: poses by the handles of motions. */
+  boxOfMoments(moments: ReadonlyMap<number, FramePoses>[]): THREE.Box3;
+  /** Draws now, as the page shows it. */
+  drawNow(): void;
 }
 
-interface Drawn {
-  figure: Figure;
-  version: number;
-  colour: string;
-}
+/** The floor goes on for so many half heights of the picture. */
+const kFloorReach = 14;
 
-export function makeScene(canvas: HTMLCanvasElement, store: Store, poses: PoseCache): Scene {
+/** Makes the scene; throws where the browser has no WebGL. */
+export function makeScene(
+  canvas: HTMLCanvasElement,
+  store: Store,
+  core: Core,
+  poses: PoseCache,
+): Scene {
   const stage = makeStage(canvas);
-  const drawn = new Map<number, Drawn>();
+  const figures = makeFigures(stage.scene, poses);
   let isWaiting = false;
+  let isDirty = true;
+  let isDrawing = false;
+  let mustFrame: 'no' | 'again' | 'anew' = 'anew';
+  let lastDraw = 0;
 
-  const invalidate = () => {
+  const request = () => {
     if (isWaiting) return;
     isWaiting = true;
     requestAnimationFrame(draw);
   };
+  const invalidate = () => {
+    if (isDrawing) return;
+    isDirty = true;
+    request();
+  };
+  const layer = () => {
+    const group = new THREE.Group();
+    stage.scene.add(group);
+    return group;
+  };
   const cameras = makeCameras(canvas, invalidate);
+  const ghosts = makeGhosts(layer());
+  const paths = makePaths(core, layer(), invalidate);
+  const contacts = makeContacts(core, layer(), () => {
+    offers.update(store.state.motions, figures);
+    invalidate();
+  });
+  const offers = makeOffers(contacts);
+  const starts = makeStarts(poses, () => place());
+  const scale = makeScale(canvas.parentElement!);
+  const axes = makeAxes(layer());
+  makeNames(canvas, store, figures, cameras);
+  watchKeys(canvas, cameras);
 
-  const visible = () => store.state.motions.filter((motion) => motion.isVisible);
+  const whole = new THREE.Box3();
+  const present = new THREE.Box3();
+  const root = new THREE.Vector3();
+  const active = () => figures.all.get(store.state.active);
 
-  const show = (motion: OpenMotion) => {
-    const own = drawn.get(motion.handle);
-    const frame = poses.at(motion, shownFrame(motion, store.state.seconds));
-    if (own !== undefined && frame !== null) own.figure.show(frame);
-  };
-
-  const follow = () => {
+  const update = (seconds: number, given?: ReadonlyMap<number, FramePoses>): boolean => {
+    const isMoved = figures.show(seconds, given);
+    if (!isMoved && !isDirty) return false;
+    const {shown, joint} = store.state;
+    const own = active();
+    const drawn = figures.visible().filter(({figure}) => figure.shown !== null);
+    const hasGhosts = shown.ghosts && own?.motion.isVisible && own.frame >= 0;
+    ghosts.show(hasGhosts ? own : null, poses);
     const motion = activeMotion(store.state);
-    if (store.state.camera !== 'follow' || motion === undefined) return;
-    const frame = poses.at(motion, shownFrame(motion, store.state.seconds));
-    if (frame === null) return;
-    const root = new THREE.Vector3().fromArray(frame.positions, 0);
-    cameras.moveTo(root.applyMatrix4(drawn.get(motion.handle)!.figure.root.matrix));
+    paths.show(
+      shown.paths
+        ? drawn.map((one) => ({
+            motion: one.motion,
+            frame: Math.max(0, one.frame),
+            matrix: one.figure.root.matrix,
+            joint: jointOfPath(one.motion, motion, joint),
+          }))
+        : [],
+    );
+    contacts.show(shown.contacts ? drawn : [], floorHeight(whole, figures.size()));
+    axes.show(shown.axes ? activeMotion(store.state) : undefined, own, joint, figures.size());
+    return true;
   };
 
-  function draw() {
-    isWaiting = false;
-    for (const motion of visible()) show(motion);
-    follow();
+  const prepare = ({camera, target, halfHeight}: View, pixels: number): number => {
+    const size = figures.size();
+    const reach = kFloorReach * halfHeight;
+    const cell = cellSize(size, pixels / (2 * halfHeight));
+    stage.floor.lay(target, floorHeight(whole, size), reach, cell);
+    const {camera: view} = store.state;
+    const isUpright = view === 'front' || view === 'side';
+    const depth = whole.isEmpty() ? 1 : whole.getSize(root).length() + size;
+    root.set(0, 0, -depth).applyQuaternion(camera.quaternion).add(target);
+    stage.floor.stand(isUpright ? camera : null, root);
+    stage.lightBox(figures.presentBox(present));
+    return cell;
+  };
+
+  const reach = (): number => {
+    const far = whole.isEmpty()
+      ? 1
+      : whole.getSize(root).length() + whole.distanceToPoint(cameras.target);
+    return Math.max(far + figures.size(), kFloorReach * cameras.halfHeight());
+  };
+
+  const followActive = (now: number): boolean => {
+    const own = active();
+    if (store.state.camera !== 'follow' || own?.figure.shown == null) return false;
+    root.fromArray(own.figure.shown.positions, 0).applyMatrix4(own.figure.root.matrix);
+    if (!Number.isFinite(root.x + root.y + root.z)) return false;
+    const elapsed = store.state.isPlaying ? Math.min(0.1, (now - lastDraw) / 1000) : null;
+    const target = cameras.target.clone();
+    const isOnTheWay = follow(target, root, figures.size(), elapsed);
+    if (target.distanceToSquared(cameras.target) > 0) cameras.moveTo(target);
+    return isOnTheWay;
+  };
+
+  const framed = () => framedBox(whole, figures.presentBox(present), figures.size());
+  const frameNow = () => {
+    const isAnew = mustFrame === 'anew';
+    mustFrame = 'no';
+    const motion = activeMotion(store.state);
+    if (isAnew) cameras.setView(store.state.camera, facingOf(motion?.document), true);
+    if (isAnew) stage.turnSun(facingOf(motion?.document));
+    cameras.frame(framed());
+  };
+
+  function drawNow() {
+    cameras.setRange(reach());
+    const height = stage.renderer.domElement.clientHeight;
+    const {current: camera, target} = cameras;
+    const cell = prepare({camera, target, halfHeight: cameras.halfHeight()}, height);
+    scale.show(cell, activeMotion(store.state));
     stage.renderer.render(stage.scene, cameras.current);
   }
 
-  const wholeBox = (): THREE.Box3 => {
-    const box = new THREE.Box3();
-    for (const motion of visible()) box.union(boxOf(motion.document));
-    return box.isEmpty() ? new THREE.Box3(new THREE.Vector3(), new THREE.Vector3(1, 2, 1)) : box;
-  };
+  function draw(now: number) {
+    isWaiting = false;
+    isDrawing = true;
+    const isChanged = update(store.state.seconds);
+    const waits = figures.visible().some(({figure}) => figure.shown === null);
+    if (mustFrame !== 'no' && !waits) frameNow();
+    const isOnTheWay = followActive(now);
+    if (isChanged || isDirty || isOnTheWay) drawNow();
+    lastDraw = now;
+    isDirty = isDrawing = false;
+    if (isOnTheWay) invalidate();
+    offers.update(store.state.motions, figures);
+  }
 
+  const place = () => {
+    const {motions, shown} = store.state;
+    figures.update(motions, offsetsOf(motions, starts), shown.shapes);
+    ghosts.useShapes(shown.shapes);
+    figures.wholeBox(whole);
+    invalidate();
+  };
   const frameAll = () => {
-    const box = wholeBox();
-    const motion = activeMotion(store.state);
-    const facing = motion ? facingOf(motion.document) : new THREE.Vector3(0, 0, 1);
-    cameras.frame(box, store.state.camera, facing);
-    stage.place(box, Math.min(0, box.min.y));
+    if (mustFrame === 'no') mustFrame = 'again';
     invalidate();
   };
 
-  const rebuild = (motion: OpenMotion) => {
-    const own = drawn.get(motion.handle);
-    if (own !== undefined && own.version === motion.version) {
-      if (own.colour !== motion.colour) own.figure.setColour(motion.colour);
-      own.figure.root.visible = motion.isVisible;
-      return;
-    }
-    if (own !== undefined) remove(motion.handle, own);
-    const figure = makeFigure(motion.document, motion.colour);
-    figure.root.matrix.copy(sceneFromFile(motion.document));
-    figure.root.visible = motion.isVisible;
-    stage.scene.add(figure.root);
-    drawn.set(motion.handle, {figure, version: motion.version, colour: motion.colour});
-  };
-
-  const remove = (handle: number, own: Drawn) => {
-    stage.scene.remove(own.figure.root);
-    own.figure.dispose();
-    drawn.delete(handle);
-  };
-
-  let count = 0;
-  store.on(['motions'], ({motions}) => {
-    for (const [handle, own] of drawn) {
-      if (motions.every((motion) => motion.handle !== handle)) remove(handle, own);
-    }
-    for (const motion of motions) rebuild(motion);
-    if (motions.length !== count) frameAll();
-    count = motions.length;
+  let known = '';
+  store.on(['motions', 'shown'], ({motions}) => {
+    place();
+    // Where a motion is new, or stands elsewhere or otherwise than before, all is framed again.
+    const now = motions.map(({handle, placement, document}) =>
+      [handle, placement, document.up.axis, document.unit.metres].join(),
+    );
+    const isKnown = now.every((text) => known.includes(`${text};`));
+    if (!isKnown) frameAll();
+    if (known === '' || (now.length === 1 && !isKnown)) mustFrame = 'anew';
+    known = now.map((text) => `${text};`).join('');
+    offers.update(store.state.motions, figures);
+  });
+  store.on(['seconds'], request);
+  store.on(['camera'], ({camera}) => {
+    if (mustFrame !== 'anew')
+      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
     invalidate();
   });
-  store.on(['seconds', 'shown'], invalidate);
-  store.on(['camera'], frameAll);
-  store.on(['joint', 'active', 'motions'], ({active, joint}) => {
-    for (const [handle, own] of drawn) own.figure.select(handle === active ? joint : -1);
+  store.on(['active'], () => {
+    const {camera} = store.state;
+    if (mustFrame !== 'anew' && isStraight(camera)) {
+      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+    }
+  });
+  store.on(['joint', 'active', 'motions', 'language'], (state) => {
+    for (const [handle, {figure}] of figures.all) {
+      figure.select(handle === state.active ? state.joint : -1);
+    }
     invalidate();
   });
 
@@ -118,13 +238,32 @@ export function makeScene(canvas: HTMLCanvasElement, store: Store, poses: PoseCa
   };
   dark.addEventListener('change', setTheme);
   setTheme();
+  canvas.addEventListener('webglcontextrestored', invalidate);
 
   new ResizeObserver(() => {
-    const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
-    stage.renderer.setSize(width, height);
+    const {clientWidth: width, clientHeight: height} = byId('stage');
+    const wasMoved = cameras.isMoved;
+    stage.renderer.setSize(width, height, false);
     cameras.resize(width, height);
+    if (!wasMoved) frameAll();
     invalidate();
-  }).observe(canvas.parentElement!);
+  }).observe(byId('stage'));
 
-  return {invalidate, frameAll};
+  return {
+    stage,
+    cameras,
+    figures,
+    invalidate,
+    frameAll,
+    offers,
+    update,
+    prepare,
+    framed,
+    boxOfMoments(moments) {
+      const box = new THREE.Box3();
+      for (const poses of moments) box.union(figures.boxOf(poses));
+      return box.isEmpty() ? framed() : box.expandByScalar(kSkin * figures.size());
+    },
+    drawNow,
+  };
 }

@@ -1,123 +1,103 @@
 // SPDX-License-Identifier: MIT
-// The stage: renderer, light, floor with a metric grid. The world is in metres, y up.
+// The stage: renderer, light, floor. The world is in metres, y up.
 import * as THREE from 'three';
+import {type Floor, makeFloor} from './floor.ts';
+import {kDark, kLight, type Theme} from './theme.ts';
 
 export interface Stage {
   renderer: THREE.WebGLRenderer;
   scene: THREE.Scene;
-  /** Moves floor and light to where the figures are. */
-  place(box: THREE.Box3, floor: number): void;
+  floor: Floor;
+  readonly theme: Theme;
+  /** Shadows are as sharp as this box, which holds what casts them, allows. */
+  lightBox(box: THREE.Box3): void;
+  /** Puts the sun beside somebody who looks from a direction. */
+  turnSun(viewer: THREE.Vector3): void;
   setTheme(isDark: boolean): void;
 }
 
-interface Theme {
-  background: number;
-  floor: number;
-  line: number;
-  strongLine: number;
-  light: number;
-}
+const kShadowMap = 1536;
+/** How far the sun is from straight above: little, so that feet and shadow meet. */
+const kSunSlope = 0.5;
+/** How far it is to the left of a viewer, in radians. */
+const kSunTurn = -0.75;
+/** The box of light grows in such steps, so that edges of shadows do not swim. */
+const kGrowth = 1.25;
 
-const kDark: Theme = {
-  background: 0x15181d,
-  floor: 0x1e2228,
-  line: 0x333a44,
-  strongLine: 0x4a5463,
-  light: 2.6,
-};
-const kLight: Theme = {
-  background: 0xeef1f5,
-  floor: 0xe2e6ec,
-  line: 0xc3cad4,
-  strongLine: 0x98a2b0,
-  light: 2.8,
-};
-
-/** How far the grid goes on beyond the figures, in metres, and its most lines. */
-const kMargin = 2;
-const kMostCells = 120;
-const kShadowMap = 2048;
-
-/** The width of a cell: 1 m, or 1, 2, 5 times a power of ten that keeps the lines apart. */
-function cellSize(extent: number): number {
-  for (let size = extent < 0.5 ? 0.1 : 1; ; size *= 10) {
-    for (const factor of [1, 2, 5]) {
-      if (extent / (size * factor) <= kMostCells) return size * factor;
-    }
-  }
-}
-
-/** Lines of a square grid around the origin, as many cells to each side. */
-function gridLines(cells: number, size: number): THREE.BufferGeometry {
-  const points: number[] = [];
-  const end = cells * size;
-  for (let i = -cells; i <= cells; i++) {
-    points.push(i * size, 0, -end, i * size, 0, end, -end, 0, i * size, end, 0, i * size);
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
-  return geometry;
-}
-
+/** Makes the stage; throws where the browser has no WebGL. */
 export function makeStage(canvas: HTMLCanvasElement): Stage {
-  const renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+  const renderer = new THREE.WebGLRenderer({canvas, antialias: true});
   renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+  renderer.shadowMap.type = THREE.PCFShadowMap;
   renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
 
   const scene = new THREE.Scene();
-  const sky = new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1.2);
-  const sun = new THREE.DirectionalLight(0xffffff, kLight.light);
+  const sky = new THREE.HemisphereLight(0xffffff, 0x6b7280);
+  const sun = new THREE.DirectionalLight(0xfffaf2);
   sun.castShadow = true;
   sun.shadow.mapSize.set(kShadowMap, kShadowMap);
-  sun.shadow.bias = -0.0005;
-  sun.shadow.normalBias = 0.01;
-  const floor = new THREE.Mesh(
-    new THREE.PlaneGeometry(1, 1).rotateX(-Math.PI / 2),
-    new THREE.MeshLambertMaterial({polygonOffset: true, polygonOffsetFactor: 1}),
-  );
-  floor.receiveShadow = true;
-  const grid = new THREE.LineSegments(
-    new THREE.BufferGeometry(),
-    new THREE.LineBasicMaterial({transparent: true}),
-  );
-  scene.add(sky, sun, sun.target, floor, grid);
+  sun.shadow.bias = -0.0006;
+  sun.shadow.radius = 2.5;
+  const fill = new THREE.DirectionalLight(0xdfe8ff);
+  const floor = makeFloor();
+  scene.add(sky, sun, sun.target, fill, ...floor.objects);
+
+  const right = new THREE.Vector3();
+  const up = new THREE.Vector3();
+  const toSun = new THREE.Vector3();
+  const centre = new THREE.Vector3();
+  const size = new THREE.Vector3();
+  const snap = (axis: THREE.Vector3, texel: number) => {
+    const along = centre.dot(axis);
+    centre.addScaledVector(axis, Math.round(along / texel) * texel - along);
+  };
+  let theme = kLight;
+  let radius = 0;
+
+  const turnSun = (viewer: THREE.Vector3) => {
+    const angle = Math.atan2(viewer.x, viewer.z) + kSunTurn;
+    toSun.set(kSunSlope * Math.sin(angle), 1, kSunSlope * Math.cos(angle)).normalize();
+    right.set(0, 1, 0).cross(toSun).normalize();
+    up.crossVectors(toSun, right);
+    fill.position.set(-toSun.x, 0.25, -toSun.z);
+  };
+  turnSun(new THREE.Vector3(0, 0, 1));
 
   return {
     renderer,
     scene,
-    place(box, height) {
-      const centre = box.getCenter(new THREE.Vector3());
-      const size = box.getSize(new THREE.Vector3());
-      const reach = Math.max(size.x, size.z) / 2 + Math.max(kMargin, size.y);
-      const cell = cellSize(2 * reach);
-      grid.geometry.dispose();
-      grid.geometry = gridLines(Math.ceil(reach / cell), cell);
-      const origin = new THREE.Vector3(
-        Math.round(centre.x / cell) * cell,
-        height,
-        Math.round(centre.z / cell) * cell,
-      );
-      grid.position.copy(origin);
-      floor.position.copy(origin);
-      floor.scale.set(reach * 40, 1, reach * 40);
-      const radius = Math.max(0.5, size.length() / 2 + 0.5);
+    floor,
+    get theme() {
+      return theme;
+    },
+    turnSun,
+    lightBox(box) {
+      if (box.isEmpty()) return;
+      box.getCenter(centre);
+      const wanted = Math.max(1e-4, box.getSize(size).length() * 0.6);
+      const next = kGrowth ** Math.ceil(Math.log(wanted) / Math.log(kGrowth));
+      // Whole texels: otherwise the edges crawl when the box moves.
+      snap(right, (2 * next) / kShadowMap);
+      snap(up, (2 * next) / kShadowMap);
       sun.target.position.copy(centre);
-      sun.position.copy(centre).add(new THREE.Vector3(0.5, 1.2, 0.7).multiplyScalar(2 * radius));
+      sun.position.copy(centre).addScaledVector(toSun, 3 * next);
+      if (next === radius) return;
+      radius = next;
       const {camera} = sun.shadow;
       camera.left = camera.bottom = -radius;
       camera.right = camera.top = radius;
-      camera.near = 0.1 * radius;
-      camera.far = 6 * radius;
+      camera.near = 0.5 * radius;
+      camera.far = 8 * radius;
+      sun.shadow.normalBias = radius * 0.004;
       camera.updateProjectionMatrix();
     },
     setTheme(isDark) {
-      const theme = isDark ? kDark : kLight;
+      theme = isDark ? kDark : kLight;
       scene.background = new THREE.Color(theme.background);
-      scene.fog = null;
-      floor.material.color.set(theme.floor);
-      grid.material.color.set(theme.line);
-      sun.intensity = theme.light;
+      sky.intensity = theme.sky;
+      sun.intensity = theme.sun;
+      fill.intensity = theme.fill;
+      floor.setTheme(theme);
     },
   };
 }

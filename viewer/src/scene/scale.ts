@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How wide a cell of the grid is, in words.
+import {el} from '../elements.ts';
+import type {OpenMotion} from '../state.ts';
+import {t} from '../words.ts';
+import {lengthText} from './floor.ts';
+
+export interface Scale {
+  /** Shows the width of a cell, in metres, and whether the unit of a motion is a guess. */
+  show(cell: number, motion: OpenMotion | undefined): void;
+}
+
+/** The label of the grid. */
+export const gridText = (cell: number, motion: OpenMotion | undefined): string => {
+  const isGuess = motion !== undefined && motion.document.unit.certainty !== 'known';
+  return t(isGuess ? 'grid_guess' : 'grid', lengthText(cell));
+};
+
+export function makeScale(stage: HTMLElement): Scale {
+  const label = el('p', {class: 'grid-scale'});
+  stage.append(label);
+  return {
+    show(cell, motion) {
+      const text = motion === undefined ? '' : gridText(cell, motion);
+      if (label.textContent !== text) label.textContent = text;
+      label.title = motion?.document.unit.reason ?? '';
+    },
+  };
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Draws the scene at given times and in a given size, on the renderer's own canvas. All is done
+// before the browser shows anything, and ends with the page's own view.
+import type {FramePoses, PoseCache} from '../poses.ts';
+import type {Store} from '../state.ts';
+import {shownFrame} from '../times.ts';
+import type {Scene} from './scene.ts';
+
+/** A time, with the poses of all visible motions. */
+export interface Moment {
+  seconds: number;
+  /** By the handles of the motions. */
+  poses: Map<number, FramePoses>;
+}
+
+/** Waits for the poses of all visible motions at some times. */
+export async function momentsAt(
+  store: Store,
+  poses: PoseCache,
+  times: number[],
+): Promise<Moment[]> {
+  const moments: Moment[] = [];
+  for (const seconds of times) {
+    const moment: Moment = {seconds, poses: new Map()};
+    for (const motion of store.state.motions) {
+      if (!motion.isVisible) continue;
+      const frame = await poses.wait(motion, shownFrame(motion, seconds));
+      if (frame !== null) moment.poses.set(motion.handle, frame);
+    }
+    moments.push(moment);
+  }
+  return moments;
+}
+
+/** The size of a picture, and whether its camera frames all moments. */
+export interface Format {
+  width: number;
+  height: number;
+  isFramed: boolean;
+}
+
+/** Draws moments, and gives the canvas after each of them, with the width of the grid's cells. */
+export function shoot(
+  scene: Scene,
+  store: Store,
+  moments: Moment[],
+  {width, height, isFramed}: Format,
+  take: (canvas: HTMLCanvasElement, index: number, cell: number) => void,
+): void {
+  const {renderer} = scene.stage;
+  const canvas = renderer.domElement;
+  const [ownWidth, ownHeight] = [canvas.clientWidth, canvas.clientHeight];
+  const ratio = renderer.getPixelRatio();
+  renderer.setPixelRatio(1);
+  renderer.setSize(width, height, false);
+  const all = moments.map(({poses}) => poses);
+  scene.update(moments[0]?.seconds ?? store.state.seconds, all[0]);
+  // A view that nobody has moved is fitted to the picture's own proportions.
+  const box = isFramed ? scene.boxOfMoments(all) : scene.cameras.isMoved ? null : scene.framed();
+  const view = scene.cameras.framed(box, width / height);
+  moments.forEach(({seconds, poses}, index) => {
+    scene.update(seconds, poses);
+    const cell = scene.prepare(view, height);
+    renderer.render(scene.stage.scene, view.camera);
+    take(canvas, index, cell);
+  });
+  renderer.setPixelRatio(ratio);
+  renderer.setSize(ownWidth, ownHeight, false);
+  scene.update(store.state.seconds);
+  scene.drawNow();
+}

@@ -6,7 +6,7 @@ import type {Description, Diagnostic, OpenedFile, Step} from './core/types.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
 
 /** Yellow first, blue second, as in the document on time warping; then colours far from both. */
-const kColours = [
+export const kColours = [
   '#f2b705',
   '#3d8bff',
   '#2fb56a',

@@ -5,6 +5,7 @@ import {type Core, startCore} from './core/core.ts';
 import {byId, el} from './elements.ts';
 import {carriedFiles, chosenFiles, droppedFiles} from './files.ts';
 import {makeMotionList} from './panels/motions.ts';
+import {makeSide, tablesOf} from './panels/side.ts';
 import {makeTransport} from './panels/transport.ts';
 import {makeViews} from './panels/views.ts';
 import {offerPictures, type Studio} from './picture.ts';
@@ -25,6 +26,7 @@ const store = makeStore({
   loop: null,
   camera: 'orbit',
   shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
+  panel: 'joints',
   language: preferredLanguage(),
   busy: 'starting',
   message: '',
@@ -65,6 +67,7 @@ async function start(): Promise<Studio> {
   const actions = makeActions(core, store);
   makeMotionList(store, actions);
   makeTransport(store);
+  makeSide({store, actions, core, tables: await tablesOf(core)});
   runPlayback(store);
   scene = startScene(core, poses);
   store.set({busy: ''});

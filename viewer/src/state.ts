@@ -29,6 +29,9 @@ export interface OpenMotion {
 
 export type Camera = 'orbit' | 'follow' | 'front' | 'side' | 'top';
 
+/** The panels at the side. */
+export type Panel = 'joints' | 'curves' | 'edit' | 'info' | 'check' | 'export';
+
 /** What the scene shows beside the figures. */
 export interface Shown {
   ghosts: boolean;
@@ -55,6 +58,8 @@ export interface State {
   loop: [number, number] | null;
   camera: Camera;
   shown: Shown;
+  /** The panel that is open. */
+  panel: Panel;
   language: Language;
   /** What the page is busy with; empty: nothing. */
   busy: string;

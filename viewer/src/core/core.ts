@@ -4,6 +4,8 @@ import type {Failure, Questions} from './types.ts';
 
 export interface Core {
   version: string;
+  /** The paths of the files that the core has. */
+  paths: ReadonlySet<string>;
   /** Gives a file to the core; its bytes then belong to the worker. */
   addFile(path: string, bytes: ArrayBuffer): Promise<void>;
   ask<Q extends keyof Questions>(
@@ -43,9 +45,14 @@ export async function startCore(): Promise<Core> {
       worker.postMessage({id, ...message}, transfers);
     });
   const version = await send<string>({do: 'start', core: packedText('core')});
+  const paths = new Set<string>();
   return {
     version,
-    addFile: (path, bytes) => send({do: 'add', path, bytes}, [bytes]),
+    paths,
+    addFile(path, bytes) {
+      paths.add(path);
+      return send({do: 'add', path, bytes}, [bytes]);
+    },
     ask: (question, of) => send({do: 'ask', question: {ask: question, ...of}}),
   };
 }

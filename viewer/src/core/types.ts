@@ -28,6 +28,14 @@ export interface VisualShape {
   colour: [number, number, number] | null;
 }
 
+/** A column of the file that belongs to a joint. */
+export interface Channel {
+  name: string;
+  column: number;
+  /** Empty: a part of a quaternion, a scale, a column that moves nothing. */
+  measure?: 'length' | 'angle' | '';
+}
+
 export interface Joint {
   name: string;
   joint_name: string;
@@ -35,7 +43,7 @@ export interface Joint {
   parent: number;
   tips: string[];
   visuals: VisualShape[];
-  channels?: {name: string; column: number}[];
+  channels?: Channel[];
 }
 
 export type Certainty = 'known' | 'clear' | 'doubtful';
@@ -173,7 +181,7 @@ export interface JointAnswer {
 /** What happens on the timeline. */
 export interface Mark {
   kind: 'spike' | 'flip' | 'below' | 'above' | 'fast';
-  severity: 'note' | 'warning' | 'error';
+  severity: Diagnostic['severity'];
   joint: number;
   first_frame: number;
   num_frames: number;

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// What the file is, what is known of its axes and units, and how it is read.
+import type {Description, OptionInfo} from '../core/types.ts';
+import {el} from '../elements.ts';
+import {activeMotion, type OpenMotion, type State} from '../state.ts';
+import {numFrames} from '../times.ts';
+import {t} from '../words.ts';
+import {type PanelContext, whileOpen} from './context.ts';
+import {makeField, selectOf} from './fields.ts';
+import {angleUnit, inMetres, lengthUnit, shortNumber, unitName} from './numbers.ts';
+import {extensionOf, formatOf} from './steps.ts';
+
+/** `--lenient` is of the command, and so in no table. */
+const lenientOption = (): OptionInfo => ({
+  name: 'lenient',
+  type: 'flag',
+  value_name: '',
+  help: t('lenient_help'),
+  default: '',
+  is_required: false,
+  separator: '',
+  choices: [],
+  least: null,
+  most: null,
+});
+
+type Fact = [label: string, value: string, note?: string];
+
+const kAxes = ['x', 'y', 'z'];
+
+/** A direction along an axis by its name, others as numbers. */
+function directionText({facing}: Description): string {
+  const {direction} = facing;
+  if (direction === null) return t('not_known');
+  const values = direction.map(Number);
+  const axis = values.findIndex((value) => Math.abs(value) > 0.999);
+  if (axis >= 0) return `${values[axis] > 0 ? '+' : '−'}${kAxes[axis]}`;
+  return values.map((value) => value.toFixed(2)).join(' ');
+}
+
+const certainty = (own: 'known' | 'clear' | 'doubtful', reason: string): string =>
+  `${t(`certainty_${own}`)}${reason ? `: ${reason}` : ''}`;
+
+function factsOf(document: Description): Fact[] {
+  const {time, extent, up, facing, unit, height} = document;
+  const rate = time.frame_time > 0 ? shortNumber(1 / time.frame_time) : t('not_known');
+  const facts: Fact[] = [
+    [t('fact_file'), document.path],
+    [t('fact_kind'), t(`kind_${document.kind}`)],
+    [t('fact_joints'), String(document.joints.length)],
+    [t('fact_channels'), String(document.num_coordinates)],
+  ];
+  if (!time.is_still) {
+    const first = time.first_frame_number;
+    facts.push(
+      [t('fact_frames'), String(numFrames(time)), first === 0 ? '' : t('first_number', first)],
+      [t('fact_rate'), t('per_second', rate), `${shortNumber(time.frame_time)} s`],
+      [t('fact_duration'), `${shortNumber(time.duration)} s`],
+    );
+  }
+  const size = unitName(unit.metres) ?? `${shortNumber(unit.metres)} m`;
+  facts.push(
+    [t('fact_unit'), t('unit_is', size), certainty(unit.certainty, unit.reason)],
+    [t('fact_angles'), angleUnit(document)],
+    [t('fact_up'), kAxes[up.axis], certainty(up.certainty, up.reason)],
+    [t('fact_facing'), directionText(document), facing.reason],
+    [
+      t('fact_height'),
+      `${shortNumber(height)} ${lengthUnit(document)}`,
+      inMetres(document, height),
+    ],
+  );
+  if (extent !== null) {
+    const ranges = extent.min.map(
+      (min, axis) => `${kAxes[axis]} ${shortNumber(min)} … ${shortNumber(extent.max[axis])}`,
+    );
+    facts.push([t('fact_extent'), ranges.join('\n'), lengthUnit(document)]);
+  }
+  return facts;
+}
+
+const factList = (facts: Fact[]): HTMLElement =>
+  el(
+    'dl',
+    {class: 'facts'},
+    facts.flatMap(([label, value, note]) => [
+      el('dt', {}, [label]),
+      el('dd', {}, [value, ...(note ? [el('small', {}, [note])] : [])]),
+    ]),
+  );
+
+/** Makes the panel. */
+export function makeInfoPanel(context: PanelContext): HTMLElement {
+  const {store, actions, core, tables} = context;
+  const root = el('section', {class: 'info-panel scrolled'});
+  const refusal = el('p', {class: 'refusal', attributes: {role: 'alert'}});
+
+  /** Reads the file again; what the core says against it stands beside the controls. */
+  const reopen = async (motion: OpenMotion, change: Partial<Description>) => {
+    const isDone = await actions.reopen(motion, change);
+    refusal.textContent = isDone ? '' : store.state.message;
+    if (!isDone) store.set({message: ''});
+  };
+
+  const optionField = (motion: OpenMotion, info: OptionInfo): HTMLElement => {
+    const {options} = motion.document;
+    const given = options[info.name];
+    const field = makeField(info, given === true ? 'true' : String(given ?? ''));
+    field.control.addEventListener('change', () => {
+      const word = info.type === 'flag' ? field.word() === 'true' : field.word();
+      const {[info.name]: _, ...others} = options;
+      reopen(motion, {options: word ? {...others, [info.name]: word} : others});
+    });
+    return field.root;
+  };
+
+  /** Files of the page with one of some extensions, without the motion's own. */
+  const filesWith = (motion: OpenMotion, extensions: string[]): string[] =>
+    [...core.paths]
+      .filter((path) => path !== motion.document.path)
+      .filter((path) => extensions.includes(extensionOf(path).toLowerCase()))
+      .sort();
+
+  type Companion = 'skeleton' | 'servo_map' | 'project';
+
+  const companionField = (motion: OpenMotion, key: Companion, extensions: string[]) => {
+    const now = motion.document[key];
+    const files = filesWith(motion, extensions);
+    if (now !== '' && !files.includes(now)) files.unshift(now);
+    const select = selectOf(files, t('found_beside'), now);
+    select.id = `companion-${key}`;
+    select.addEventListener('change', () => reopen(motion, {[key]: select.value}));
+    const label = el('label', {htmlFor: select.id}, [t(`companion_${key}`)]);
+    return el('div', {class: 'field'}, [label, select]);
+  };
+
+  /** What a motion is read with: the skeleton or the robot, and for a flow what moves it. */
+  const companions = (motion: OpenMotion): HTMLElement[] => {
+    const {kind} = motion.document;
+    const isRobotMotion = kind === 'body_motion' || kind === 'pose_flow';
+    if (!isRobotMotion && !formatOf(tables, motion.document)?.takes_skeleton) return [];
+    const fits = tables.formats.filter(({is_read, is_written, takes_skeleton}) =>
+      isRobotMotion ? is_read && !is_written : is_read && !takes_skeleton,
+    );
+    const fields = [
+      companionField(
+        motion,
+        'skeleton',
+        fits.flatMap(({extensions}) => extensions),
+      ),
+    ];
+    if (kind === 'pose_flow') {
+      fields.push(
+        companionField(motion, 'servo_map', ['.yaml', '.yml']),
+        companionField(motion, 'project', ['.rpj']),
+      );
+    }
+    return [el('h2', {}, [t('read_with')]), ...fields];
+  };
+
+  const draw = (state: Readonly<State>) => {
+    const motion = activeMotion(state);
+    if (motion === undefined) {
+      return root.replaceChildren(el('p', {class: 'empty'}, [t('no_motion')]));
+    }
+    const focused = (document.activeElement as HTMLInputElement | null)?.name;
+    const format = formatOf(tables, motion.document);
+    // A file that an option names is chosen among the files of the page, above.
+    const options = (format?.read_options ?? []).filter(({type}) => type !== 'file');
+    root.replaceChildren(
+      el('h2', {}, [format?.description ?? motion.document.format]),
+      factList(factsOf(motion.document)),
+      el(
+        'ul',
+        {class: 'sentences'},
+        motion.document.facts.map((fact) => el('li', {}, [fact])),
+      ),
+      refusal,
+      ...companions(motion),
+      el('h2', {}, [t('read_options')]),
+      el('p', {class: 'hint'}, [t('read_options_help')]),
+      ...[...options, lenientOption()].map((info) => optionField(motion, info)),
+    );
+    if (focused) root.querySelector<HTMLElement>(`[name="${CSS.escape(focused)}"]`)?.focus();
+  };
+
+  let drawnFor: unknown[] = [];
+  whileOpen(store, 'info', ['motions', 'active', 'language'], (state) => {
+    const motion = activeMotion(state);
+    const wanted = [motion?.handle, motion?.document, state.language, core.paths.size];
+    if (wanted.every((value, index) => value === drawnFor[index])) return;
+    drawnFor = wanted;
+    draw(state);
+  });
+  return root;
+}

@@ -25,7 +25,7 @@ async function bundle(entry) {
     write: false,
     format: 'iife',
     target: ['chrome100', 'firefox100', 'safari16.4'],
-    define: {ERRORS: JSON.stringify(errors())},
+    define: {ERRORS: JSON.stringify(errors()), LICENCES: JSON.stringify(licences())},
     legalComments: 'none',
     logLevel: 'warning',
   });
@@ -44,6 +44,16 @@ function errors() {
     found[code] = [title, body.trim()];
   }
   return found;
+}
+
+/** The licences of what the page contains, by name. */
+function licences() {
+  const text = (path) => readFileSync(join(here, path), 'utf8').trim();
+  return {
+    kinefile: text('../LICENSE'),
+    'three.js': text('node_modules/three/LICENSE'),
+    uPlot: text('node_modules/uplot/LICENSE'),
+  };
 }
 
 async function style() {

@@ -2,7 +2,7 @@
 // What a person does with motions: open, close, change, undo. The core does the work; the state
 // says what came of it.
 import {type Core, isFailure} from './core/core.ts';
-import type {Description, Diagnostic, OpenedFile, Step} from './core/types.ts';
+import type {Description, Diagnostic, Failure, OpenedFile, Step} from './core/types.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
 
 /** Yellow first, blue second, as in the document on time warping; then colours far from both. */
@@ -31,7 +31,12 @@ export interface Actions {
   reopen(motion: OpenMotion, change: Partial<Description>): Promise<boolean>;
   close(motion: OpenMotion): Promise<void>;
   /** Replaces all steps of a motion; false if one of them is refused, with a message. */
-  setSteps(motion: OpenMotion, steps: Step[], undone?: Step[]): Promise<boolean>;
+  setSteps(motion: OpenMotion, steps: Step[]): Promise<boolean>;
+  /**
+   * The same for one who shows the refusal; null: done. A change that goes on with the last one, as
+   * the moves of a drag do, is undone with it.
+   */
+  trySteps(motion: OpenMotion, steps: Step[], goesOn?: boolean): Promise<Failure | null>;
   addStep(motion: OpenMotion, step: Step): Promise<boolean>;
   undo(motion: OpenMotion): Promise<boolean>;
   redo(motion: OpenMotion): Promise<boolean>;
@@ -59,6 +64,7 @@ export function makeActions(core: Core, store: Store): Actions {
       isVisible: true,
       document,
       steps: [],
+      done: [],
       undone: [],
       version: 1,
       offset: 0,
@@ -100,6 +106,37 @@ export function makeActions(core: Core, store: Store): Actions {
     motions.some((motion) => motion.handle === store.state.active)
       ? store.state.active
       : (motions[0]?.handle ?? 0);
+
+  /** Applies a list of steps, and remembers what undo and redo go to. */
+  const apply = async (
+    motion: OpenMotion,
+    history: Pick<OpenMotion, 'steps' | 'done' | 'undone'>,
+  ): Promise<Failure | null> => {
+    const answer = await core.ask('edit', {handle: motion.handle, steps: history.steps});
+    if (isFailure(answer)) return answer;
+    const {document, diagnostics} = answer;
+    const now = store.state.motions.find((other) => other.handle === motion.handle);
+    if (now === undefined) return null;
+    const keepsJoints = document.joints.length === now.document.joints.length;
+    const isActive = activeMotion(store.state)?.handle === motion.handle;
+    store.set({
+      message: '',
+      joint: isActive && !keepsJoints ? -1 : store.state.joint,
+      motions: withMotion(store.state, motion.handle, {
+        ...history,
+        document,
+        diagnostics,
+        version: now.version + 1,
+      }),
+    });
+    return null;
+  };
+
+  /** Whether nothing was refused; tells a refusal. */
+  const told = (failure: Failure | null): boolean => {
+    if (failure !== null) store.set({message: failure.error.message});
+    return failure === null;
+  };
 
   const actions: Actions = {
     async openFiles(files) {
@@ -175,7 +212,8 @@ export function makeActions(core: Core, store: Store): Actions {
         }),
       });
       const now = store.state.motions.find((other) => other.handle === handle);
-      return steps.length === 0 || now === undefined || actions.setSteps(now, steps);
+      if (steps.length === 0 || now === undefined) return true;
+      return told(await apply(now, {steps, done: now.done, undone: now.undone}));
     },
 
     async close(motion) {
@@ -184,43 +222,28 @@ export function makeActions(core: Core, store: Store): Actions {
       store.set({motions, active: firstActive(motions), joint: -1});
     },
 
-    async setSteps(motion, steps, undone = []) {
-      const answer = await core.ask('edit', {handle: motion.handle, steps});
-      if (isFailure(answer)) {
-        store.set({message: answer.error.message});
-        return false;
-      }
-      const {document, diagnostics} = answer;
-      const now = store.state.motions.find((other) => other.handle === motion.handle);
-      if (now === undefined) return false;
-      const joint = activeMotion(store.state)?.handle === motion.handle ? -1 : store.state.joint;
-      const keepsJoints = document.joints.length === now.document.joints.length;
-      store.set({
-        message: '',
-        joint: keepsJoints ? store.state.joint : joint,
-        motions: withMotion(store.state, motion.handle, {
-          document,
-          steps,
-          undone,
-          diagnostics,
-          version: now.version + 1,
-        }),
-      });
-      return true;
+    async setSteps(motion, steps) {
+      return told(await actions.trySteps(motion, steps));
+    },
+
+    trySteps(motion, steps, goesOn = false) {
+      const done = goesOn ? motion.done : [...motion.done, motion.steps];
+      return apply(motion, {steps, done, undone: []});
     },
 
     addStep: (motion, step) => actions.setSteps(motion, [...motion.steps, step]),
 
-    undo(motion) {
-      const last = motion.steps[motion.steps.length - 1];
-      if (last === undefined) return Promise.resolve(false);
-      return actions.setSteps(motion, motion.steps.slice(0, -1), [last, ...motion.undone]);
+    async undo(motion) {
+      const steps = motion.done[motion.done.length - 1];
+      if (steps === undefined) return false;
+      const undone = [motion.steps, ...motion.undone];
+      return told(await apply(motion, {steps, done: motion.done.slice(0, -1), undone}));
     },
 
-    redo(motion) {
-      const [next, ...undone] = motion.undone;
-      if (next === undefined) return Promise.resolve(false);
-      return actions.setSteps(motion, [...motion.steps, next], undone);
+    async redo(motion) {
+      const [steps, ...undone] = motion.undone;
+      if (steps === undefined) return false;
+      return told(await apply(motion, {steps, done: [...motion.done, motion.steps], undone}));
     },
   };
   return actions;

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Starts the page: first what can be seen, then the core and the scene.
-import {makeActions} from './actions.ts';
+import {type Actions, makeActions} from './actions.ts';
+import {keepAddress} from './address.ts';
 import {type Core, startCore} from './core/core.ts';
 import {byId, el} from './elements.ts';
-import {carriedFiles, chosenFiles, droppedFiles} from './files.ts';
+import {carriedFiles} from './files.ts';
+import {makeShortcuts, type Shortcut, useShortcuts} from './keyboard.ts';
+import {makeTimeAxis} from './panels/axis.ts';
+import {makeEmpty} from './panels/empty.ts';
+import {makeFileList} from './panels/files.ts';
+import {makeHelp} from './panels/help.ts';
+import {makeMarks} from './panels/marks.ts';
 import {makeMotionList} from './panels/motions.ts';
 import {makeSide, tablesOf} from './panels/side.ts';
+import {chosenLanguage, makeStatus, makeTools, takeFiles} from './panels/topbar.ts';
+import {makeTrack} from './panels/track.ts';
 import {makeTransport} from './panels/transport.ts';
 import {makeViews} from './panels/views.ts';
+import {makeWarpEditor} from './panels/warp.ts';
 import {offerPictures, type Studio} from './picture.ts';
 import {runPlayback} from './playback.ts';
 import {makePoseCache, type PoseCache} from './poses.ts';
 import {makeScene, type Scene} from './scene/scene.ts';
 import {makeStore} from './state.ts';
-import {fillWords, preferredLanguage, setLanguage, t, type Word} from './words.ts';
+import {fillWords, preferredLanguage, setLanguage} from './words.ts';
 
 const store = makeStore({
   motions: [],
@@ -24,10 +34,15 @@ const store = makeStore({
   isPlaying: false,
   speed: 1,
   loop: null,
+  repeats: true,
   camera: 'orbit',
   shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
+  isWarping: false,
+  // On a phone the panel would hide the timeline.
+  isSideOpen: !window.matchMedia('(max-width: 760px)').matches,
   panel: 'joints',
-  language: preferredLanguage(),
+  isBare: false,
+  language: chosenLanguage() ?? preferredLanguage(),
   busy: 'starting',
   message: '',
 });
@@ -36,11 +51,7 @@ store.on(['language'], ({language}) => {
   setLanguage(language);
   fillWords();
 });
-store.on(['busy', 'message', 'language'], ({busy, message}) => {
-  const status = byId('status');
-  status.textContent = message || (busy ? t(busy as Word) : '');
-  status.className = message ? 'error' : '';
-});
+makeStatus(store);
 
 /** Resolves when the browser has painted what is there. */
 const painted = () =>
@@ -60,13 +71,35 @@ function startScene(core: Core, poses: PoseCache): Scene | null {
   }
 }
 
+/** Makes the bar, the lists, the timeline, the keys, the address. */
+function makeSurroundings(core: Core, actions: Actions, frameAll: () => void): void {
+  makeMotionList(store, actions);
+  makeFileList(store, actions);
+  makeEmpty(core, store);
+  takeFiles(store, actions);
+  const axis = makeTimeAxis(store);
+  const marks = makeMarks(core, store);
+  makeTransport(store, marks, () => warp.toggle());
+  const warp = makeWarpEditor(core, store, actions, axis);
+  makeTrack(store, axis, marks);
+  const toggleHelp = makeHelp(store, core.version, (): Shortcut[] => shortcuts);
+  const shortcuts = makeShortcuts(store, actions, {
+    toggleHelp,
+    toggleWarp: () => warp.toggle(),
+    goToMark: (direction) => marks.go(direction),
+    frameAll,
+  });
+  useShortcuts(shortcuts);
+  makeTools(store, toggleHelp);
+  keepAddress(store);
+}
+
 async function start(): Promise<Studio> {
   const [core, carried] = await Promise.all([startCore(), carriedFiles(), painted()]);
   let scene: Scene | null = null;
   const poses = makePoseCache(core, () => scene?.invalidate());
   const actions = makeActions(core, store);
-  makeMotionList(store, actions);
-  makeTransport(store);
+  makeSurroundings(core, actions, () => scene?.frameAll());
   makeSide({store, actions, core, tables: await tablesOf(core)});
   runPlayback(store);
   scene = startScene(core, poses);
@@ -74,19 +107,6 @@ async function start(): Promise<Studio> {
 
   for (const {path, bytes} of carried.files) await core.addFile(path, bytes);
   for (const {path, ...like} of carried.open) await actions.openPath(path, like);
-
-  for (const id of ['choose-files', 'choose-folder']) {
-    const input = byId<HTMLInputElement>(id);
-    input.addEventListener('change', async () => {
-      if (input.files) await actions.openFiles(await chosenFiles(input.files));
-      input.value = '';
-    });
-  }
-  document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', async (event) => {
-    event.preventDefault();
-    if (event.dataTransfer) await actions.openFiles(await droppedFiles(event.dataTransfer.items));
-  });
   return {store, scene, poses};
 }
 

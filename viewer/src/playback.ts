@@ -5,6 +5,11 @@ import {numFrames, secondsOf, shownFrame, wholeRange} from './times.ts';
 
 export const kLeastSpeed = 0.1;
 export const kMostSpeed = 4;
+/** The speeds that are offered. */
+export const kSpeeds = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4];
+
+/** Playing from the end starts at the beginning. */
+const kAtEnd = 1e-6;
 
 /** The range that plays: the loop if there is one, otherwise everything. */
 export const playedRange = (store: Store): [number, number] =>
@@ -18,14 +23,17 @@ export function runPlayback(store: Store): void {
     const {seconds, speed} = store.state;
     const [begin, end] = playedRange(store);
     let next = seconds + ((now - last) / 1000) * speed;
-    if (next > end || next < begin) next = begin;
     last = now;
+    if (next > end && !store.state.repeats) return store.set({seconds: end, isPlaying: false});
+    if (next > end || next < begin) next = begin;
     store.set({seconds: next});
     requestAnimationFrame(advance);
   };
   store.on(['isPlaying'], ({isPlaying}) => {
     if (!isPlaying) return;
     last = performance.now();
+    const [begin, end] = playedRange(store);
+    if (store.state.seconds >= end - kAtEnd) store.set({seconds: begin});
     requestAnimationFrame(advance);
   });
 }
@@ -46,4 +54,14 @@ export function step(store: Store, frames: number): void {
 
 export function setSpeed(store: Store, speed: number): void {
   store.set({speed: Math.max(kLeastSpeed, Math.min(kMostSpeed, speed))});
+}
+
+/** The next of the offered speeds, up or down. */
+export function stepSpeed(store: Store, direction: 1 | -1): void {
+  const {speed} = store.state;
+  const next =
+    direction > 0
+      ? kSpeeds.find((other) => other > speed)
+      : kSpeeds.filter((other) => other < speed).pop();
+  if (next !== undefined) setSpeed(store, next);
 }

@@ -17,8 +17,10 @@ export interface OpenMotion {
   document: Description;
   /** What was done to it, in order. */
   steps: Step[];
-  /** What was undone, the last one first. */
-  undone: Step[];
+  /** The lists of steps that undo goes back to, the last one last. */
+  done: Step[][];
+  /** The lists of steps that redo goes on to, the next one first. */
+  undone: Step[][];
   /** Counts the changes of its poses. */
   version: number;
   /** The time at which it starts, in seconds. */
@@ -56,10 +58,17 @@ export interface State {
   speed: number;
   /** The part that is repeated, in seconds; null: all. */
   loop: [number, number] | null;
+  /** Whether it is repeated, or stops at its end. */
+  repeats: boolean;
   camera: Camera;
   shown: Shown;
-  /** The panel that is open. */
+  /** Whether the editor of the time warp is open. */
+  isWarping: boolean;
+  /** Whether the side panel is open, and its tab. */
+  isSideOpen: boolean;
   panel: Panel;
+  /** Whether everything around the scene is hidden. */
+  isBare: boolean;
   language: Language;
   /** What the page is busy with; empty: nothing. */
   busy: string;

@@ -32,6 +32,10 @@ export function setLanguage(wanted: Language): void {
 export const t = (word: Word, ...values: (string | number)[]): string =>
   kWords[language][word].replace(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
 
+/** The text of a word that may not be there, such as one made from a name of the core's tables. */
+export const translated = (word: string, otherwise: string): string =>
+  kWords[language][word as Word] ?? otherwise;
+
 /** Fills the elements that name their word: data-word is the text, data-title the title and label. */
 export function fillWords(): void {
   for (const element of document.querySelectorAll<HTMLElement>('[data-word]')) {

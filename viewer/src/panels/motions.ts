@@ -1,32 +1,103 @@
 // SPDX-License-Identifier: MIT
-// The list of open motions: which is active, which are shown.
+// The list of open motions: which is active, which are shown, when each starts, how they stand
+// beside each other.
 import type {Actions} from '../actions.ts';
-import {button, byId, el} from '../elements.ts';
-import {type OpenMotion, type Store, withMotion} from '../state.ts';
-import {t} from '../words.ts';
+import {byId, el} from '../elements.ts';
+import {type OpenMotion, type Placement, type Store, withMotion} from '../state.ts';
+import {t, type Word} from '../words.ts';
+import {iconButton, titled} from './icons.ts';
+import {numberText} from './warpwords.ts';
 
+const kPlacements: readonly Placement[] = ['recorded', 'aligned', 'beside'];
+
+/** What was done to a motion, in a word or two. */
+function changesOf({steps}: OpenMotion): string {
+  if (steps.length === 0) return '';
+  const last = steps[steps.length - 1];
+  if (steps.length === 1 && 'warp' in last) return t('warped');
+  return t(steps.length === 1 ? 'changed_once' : 'changed', steps.length);
+}
+
+/** Makes the list of motions. */
 export function makeMotionList(store: Store, actions: Actions): void {
   const list = byId('motions');
+  const change = (handle: number, to: Partial<OpenMotion>) =>
+    store.set({motions: withMotion(store.state, handle, to)});
 
-  const row = (motion: OpenMotion): HTMLElement => {
+  const offsetField = ({handle, offset, title}: OpenMotion): HTMLElement => {
+    const field = el('input', {
+      type: 'number',
+      step: 'any',
+      class: 'offset',
+      value: numberText(offset),
+    });
+    field.addEventListener('change', () => {
+      const wanted = Number(field.value);
+      if (Number.isFinite(wanted)) change(handle, {offset: wanted});
+    });
+    titled(field, t('offset_of', title));
+    return el('label', {class: 'offset-field'}, ['+', field, 's']);
+  };
+
+  const row = (motion: OpenMotion, isOne: boolean): HTMLElement => {
+    const {handle, title, isVisible, colour, document} = motion;
+    const isActive = handle === store.state.active;
     const swatch = el('span', {class: 'swatch'});
-    swatch.style.background = motion.colour;
-    const {handle, title, isVisible} = motion;
-    return el('div', {class: handle === store.state.active ? 'motion active' : 'motion'}, [
+    swatch.style.background = colour;
+    const changes = changesOf(motion);
+    const name = el('button', {type: 'button', class: 'title', title: document.path}, [
       swatch,
-      button(title, () => store.set({active: handle, joint: -1}), {class: 'title', title}),
-      button(
-        isVisible ? '◉' : '○',
-        () => {
-          store.set({motions: withMotion(store.state, handle, {isVisible: !isVisible})});
-        },
-        {title: t(isVisible ? 'hide' : 'show'), pressed: isVisible},
-      ),
-      button('✕', () => actions.close(motion), {title: t('close')}),
+      el('span', {class: 'name'}, [title]),
+      ...(changes === '' ? [] : [el('span', {class: 'tag'}, [changes])]),
+    ]);
+    if (isActive) name.setAttribute('aria-current', 'true');
+    name.addEventListener('click', () => store.set({active: handle, joint: -1}));
+    const show = iconButton(isVisible ? 'shown' : 'hidden', () =>
+      change(handle, {isVisible: !isVisible}),
+    );
+    show.classList.add('plain');
+    titled(show, t(isVisible ? 'hide_motion' : 'show_motion', title));
+    return el('li', {class: isActive ? 'motion active' : 'motion'}, [
+      name,
+      ...(isOne ? [] : [offsetField(motion)]),
+      show,
+      iconButton('close', () => actions.close(motion), {
+        title: t('close_motion', title),
+        class: 'plain',
+      }),
     ]);
   };
 
-  store.on(['motions', 'active', 'language'], ({motions}) => {
-    list.replaceChildren(...motions.map(row));
+  /** One choice for all: the motions stand as recorded, or beside each other. */
+  const placementField = (motions: OpenMotion[]): HTMLElement => {
+    const field = el(
+      'select',
+      {id: 'placement'},
+      kPlacements.map((name) => el('option', {value: name}, [t(`placement_${name}` as Word)])),
+    );
+    field.value = motions[0].placement;
+    field.addEventListener('change', () => {
+      const placement = field.value as Placement;
+      store.set({motions: store.state.motions.map((motion) => ({...motion, placement}))});
+    });
+    return el('label', {class: 'placement'}, [el('span', {}, [t('placement')]), field]);
+  };
+
+  store.on(['motions', 'active', 'language'], ({motions}, changed) => {
+    const focused = document.activeElement;
+    const index = [...list.querySelectorAll('button, input, select')].indexOf(focused as Element);
+    // While an offset is typed or dragged the fields stay.
+    if (changed.size === 1 && changed.has('motions') && focused?.matches('.offset')) return;
+    const isOne = motions.length === 1;
+    list.replaceChildren(
+      el(
+        'ul',
+        {},
+        motions.map((motion) => row(motion, isOne)),
+      ),
+      ...(motions.length > 1 ? [placementField(motions)] : []),
+    );
+    list.hidden = motions.length === 0;
+    if (index >= 0) list.querySelectorAll<HTMLElement>('button, input, select')[index]?.focus();
   });
 }

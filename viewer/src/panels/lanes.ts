@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The drawn parts of the track: ruler, lanes, ground contacts, marks.
+import type {Contact, Mark} from '../core/types.ts';
+import type {OpenMotion} from '../state.ts';
+import {numFrames, secondsOf, timeOfFrame} from '../times.ts';
+import {t, type Word} from '../words.ts';
+import {kLeft, kRight, type TimeAxis, tickStep} from './axis.ts';
+import type {Marks} from './marks.ts';
+import {sliderAttributes, svg} from './svg.ts';
+
+export const kRulerHeight = 26;
+export const kLaneHeight = 14;
+
+/** Labels of the ruler stay so many pixels apart. */
+const kLabelSpace = 70;
+/** Marks that are nearer than so many pixels are drawn as one. */
+const kMarkSpace = 5;
+
+/** Ticks and frame numbers of the active motion; seconds below them on wide rulers. */
+export function drawRuler(
+  motion: OpenMotion,
+  axis: TimeAxis,
+  width: number,
+  height: number,
+): SVGElement[] {
+  const {time} = motion.document;
+  const [begin, end] = axis.range;
+  const perFrame = time.frame_time > 0 ? time.frame_time : 1;
+  const step = Math.max(1, tickStep((kLabelSpace * axis.secondsPerPixel(width)) / perFrame));
+  const drawn: SVGElement[] = [];
+  const first = Math.ceil((begin - motion.offset) / perFrame / step - 1e-6);
+  const last = Math.floor((end - motion.offset) / perFrame / step + 1e-6);
+  for (let i = first; i <= last; i++) {
+    const frame = i * step;
+    const isWithin = frame >= 0 && frame < numFrames(time);
+    const seconds = isWithin ? secondsOf(motion, frame) : motion.offset + frame * perFrame;
+    const x = axis.x(seconds, width);
+    if (x > width - kRight + 1) continue;
+    drawn.push(
+      svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
+      svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [String(frame)]),
+    );
+  }
+  drawn.push(svg('text', {class: 'label name', x: 4, y: 16}, [t('frame_short')]));
+  return drawn;
+}
+
+/** When a motion ends, in seconds of the page. */
+const endOf = ({offset, document}: OpenMotion): number => offset + Number(document.time.duration);
+
+/** The lane of a motion: how long it is, and when it starts. */
+export function drawLane(
+  motion: OpenMotion,
+  axis: TimeAxis,
+  width: number,
+  top: number,
+  isActive: boolean,
+  isMovable: boolean,
+): SVGElement {
+  const {handle, title, colour, offset, isVisible} = motion;
+  const within = (x: number) => Math.max(kLeft, Math.min(width - kRight, x));
+  const left = within(axis.x(offset, width));
+  const right = Math.max(left + 3, within(axis.x(endOf(motion), width)));
+  const attributes = isMovable
+    ? sliderAttributes(
+        `lane:${handle}`,
+        t('lane', title),
+        [-1e6, 1e6],
+        offset,
+        `${offset.toFixed(3)} s`,
+      )
+    : {'data-grip': 'playhead'};
+  const bar = svg('rect', {
+    x: left,
+    y: top + 3,
+    width: right - left,
+    height: kLaneHeight - 6,
+    rx: 3,
+    fill: colour,
+  });
+  const classes = ['lane', isActive ? 'active' : '', isVisible ? '' : 'off'];
+  return svg('g', {class: classes.filter(Boolean).join(' '), 'data-lane': handle, ...attributes}, [
+    svg('title', {}, [isMovable ? t('lane', title) : title]),
+    svg('rect', {class: 'reach', x: left, y: top, width: right - left, height: kLaneHeight}),
+    bar,
+  ]);
+}
+
+/** Where feet are on the ground: darker where several are. */
+export function drawContacts(
+  motion: OpenMotion,
+  contacts: readonly Contact[],
+  axis: TimeAxis,
+  width: number,
+  top: number,
+): SVGElement[] {
+  const {time} = motion.document;
+  return contacts.map(({first_frame, num_frames}) => {
+    const from = axis.x(motion.offset + timeOfFrame(time, first_frame), width);
+    const last = Math.min(numFrames(time) - 1, first_frame + num_frames);
+    const to = axis.x(motion.offset + timeOfFrame(time, last), width);
+    const [left, right] = [Math.max(kLeft, from), Math.min(width - kRight, to)];
+    return svg('rect', {
+      class: 'contact',
+      x: left,
+      y: top + kLaneHeight - 3,
+      width: Math.max(0, right - left),
+      height: 3,
+    });
+  });
+}
+
+const kShapes: Record<Mark['kind'], string> = {
+  spike: 'M0-5.5 5 4.5H-5z',
+  flip: 'M0-6 5 0 0 6-5 0z',
+  below: 'M-5-3h10L0 5z',
+  above: 'M-5 3h10L0-5z',
+  fast: 'M-4.5-4.5h9v9h-9z',
+};
+
+const kNames: Record<Mark['kind'], Word> = {
+  spike: 'mark_spike',
+  flip: 'mark_flip',
+  below: 'mark_limit',
+  above: 'mark_limit',
+  fast: 'mark_fast',
+};
+
+/** The marks of the active motion; one for several that would lie over each other. */
+export function drawMarks(
+  motion: OpenMotion,
+  marks: Marks,
+  axis: TimeAxis,
+  width: number,
+  middle: number,
+): SVGElement[] {
+  const drawn: SVGElement[] = [];
+  let last = -Infinity;
+  for (const mark of marks.all) {
+    const x = axis.x(secondsOf(motion, mark.worst_frame), width);
+    if (x < kLeft - 1 || x > width - kRight + 1 || x - last < kMarkSpace) continue;
+    last = x;
+    const text = `${t(kNames[mark.kind])}: ${mark.message}`;
+    const shape = svg('g', {class: `mark ${mark.kind}`, transform: `translate(${x} ${middle})`}, [
+      svg('title', {}, [text]),
+      svg('rect', {class: 'reach', x: -7, y: -8, width: 14, height: 16}),
+      svg('path', {d: kShapes[mark.kind]}),
+    ]);
+    shape.addEventListener('pointerenter', () => marks.tell(text));
+    shape.addEventListener('pointerleave', (event) => {
+      if (event.pointerType === 'mouse') marks.tell('');
+    });
+    shape.addEventListener('click', () => marks.select(mark));
+    drawn.push(shape);
+  }
+  return drawn;
+}

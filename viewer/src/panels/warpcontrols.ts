@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// What surrounds the map of a warp: buttons, the options of the core's table, the selected key in
+// numbers, what the core says against it.
+import type {Actions} from '../actions.ts';
+import {type Core, isFailure} from '../core/core.ts';
+import type {OptionInfo} from '../core/types.ts';
+import {el, offerFile} from '../elements.ts';
+import {activeMotion, type Store} from '../state.ts';
+import {t, translated, type Word} from '../words.ts';
+import {iconButton, titled} from './icons.ts';
+import type {Warping} from './warping.ts';
+import {commandOf, type Key, numberText, warpedName, wordsWith} from './warpwords.ts';
+
+/** Keys are drawn, and the editor counts in frames. */
+const kNotControls = new Set(['key', 'seconds']);
+/** Eases that are offered; others can be typed. */
+const kEases = ['smooth', 'smoother', 'in', 'out', 'in-out', 'in:3', 'bezier:0.4,0,0.6,1'];
+
+/** What the controls do with keys. */
+export interface KeyActions {
+  add(): void;
+  remove(): void;
+  selected(): number;
+  replace(index: number, key: Key): void;
+}
+
+export interface WarpControls {
+  bar: HTMLElement;
+  foot: HTMLElement;
+  /** Shows what the warp is now. */
+  show(): void;
+}
+
+type Control = {option: OptionInfo; field: HTMLInputElement | HTMLSelectElement};
+
+const wordOf = (name: string): string => name.replaceAll('-', '_');
+
+/** Copies a text; the page says that it did. */
+async function copy(text: string, store: Store): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    store.set({message: t('copied', text)});
+  } catch {
+    store.set({message: text}); // to be copied by hand
+  }
+}
+
+export function makeWarpControls(
+  core: Core,
+  store: Store,
+  actions: Actions,
+  warping: Warping,
+  keyActions: KeyActions,
+): WarpControls {
+  const controls: Control[] = [];
+  const texts: [HTMLElement, Word][] = [];
+  const labelled = <T extends HTMLElement>(element: T, word: Word): T => {
+    texts.push([element, word]);
+    return element;
+  };
+  const action = (word: Word, run: () => void) => {
+    const made = el('button', {type: 'button', class: word, on: {click: run}});
+    texts.push([made, word]);
+    return made;
+  };
+  const withActive = (run: (motion: NonNullable<ReturnType<typeof activeMotion>>) => void) => {
+    const motion = activeMotion(store.state);
+    if (motion !== undefined) run(motion);
+  };
+
+  const title = el('strong', {class: 'warp-title'});
+  const undo = iconButton('undo', () => withActive((motion) => actions.undo(motion)));
+  const redo = iconButton('redo', () => withActive((motion) => actions.redo(motion)));
+  const removeKey = iconButton('bin', keyActions.remove);
+  const close = iconButton('close', () => store.set({isWarping: false}), {class: 'plain'});
+  const addKey = action('warp_add', keyActions.add);
+  const numbers = {from: el('input'), to: el('input')};
+  for (const field of [numbers.from, numbers.to]) {
+    Object.assign(field, {type: 'number', step: 'any', min: '0', className: 'key-number'});
+    field.addEventListener('change', () => {
+      const key = {from: Number(numbers.from.value), to: Number(numbers.to.value)};
+      if (Number.isFinite(key.from) && Number.isFinite(key.to)) {
+        keyActions.replace(keyActions.selected(), key);
+      }
+    });
+  }
+  const keyNumbers = el('span', {class: 'key-numbers'}, [
+    labelled(el('span'), 'warp_old_frame'),
+    numbers.from,
+    '→',
+    labelled(el('span'), 'warp_new_frame'),
+    numbers.to,
+  ]);
+  const options = el('span', {class: 'warp-options'});
+  const more = el('details', {class: 'warp-more'}, [labelled(el('summary'), 'warp_options')]);
+  const moreOptions = el('div', {class: 'warp-options'});
+  more.append(moreOptions);
+  const fault = el('p', {class: 'warp-fault', role: 'alert', hidden: true});
+  const hint = labelled(el('p', {class: 'warp-help'}), 'warp_help');
+
+  const save = () =>
+    withActive(async (motion) => {
+      const {handle, document} = motion;
+      const answer = await core.ask('write', {handle, name: warpedName(document.path)});
+      if (isFailure(answer)) return store.set({message: answer.error.message});
+      for (const file of answer.files) offerFile(file.name, file.bytes as BlobPart);
+    });
+  const copyCommand = () =>
+    withActive((motion) => {
+      const words = wordsWith(warping.words, [...warping.keys]);
+      copy(commandOf(motion.document, warping.before, words), store);
+    });
+
+  const wordsNow = () => {
+    const words = {...warping.words};
+    for (const {option, field} of controls) {
+      const given =
+        field instanceof HTMLInputElement && field.type === 'checkbox'
+          ? field.checked
+          : field.value;
+      if (given === false || given === '' || given === option.default) delete words[option.name];
+      else words[option.name] = given;
+    }
+    return words;
+  };
+
+  const makeField = (option: OptionInfo): Control['field'] => {
+    const changed = () => warping.set({words: wordsNow()});
+    if (option.type === 'choice') {
+      return el('select', {on: {change: changed}});
+    }
+    if (option.type === 'flag') return el('input', {type: 'checkbox', on: {change: changed}});
+    const list = el(
+      'datalist',
+      {id: `warp-${option.name}-list`},
+      kEases.map((value) => el('option', {value})),
+    );
+    const field = el('input', {type: 'text', autocomplete: 'off', on: {change: changed}}, []);
+    field.setAttribute('list', list.id);
+    moreOptions.append(list);
+    return field;
+  };
+
+  const addControl = (option: OptionInfo) => {
+    const field = makeField(option);
+    field.dataset.option = option.name;
+    controls.push({option, field});
+    const label = el('span');
+    const isFirst = option.name === 'tail';
+    (isFirst ? options : moreOptions).append(el('label', {}, [label, field]));
+    store.on(['language'], () => {
+      label.textContent = translated(`warp_${wordOf(option.name)}`, option.name);
+      titled(field, `${label.textContent}: ${option.help}`);
+      if (!(field instanceof HTMLSelectElement)) return;
+      const {value} = field;
+      field.replaceChildren(
+        ...option.choices.map((choice) =>
+          el('option', {value: choice}, [translated(`warp_${wordOf(choice)}`, choice)]),
+        ),
+      );
+      field.value = value || option.default;
+    });
+  };
+  core.ask('tables', {}).then((tables) => {
+    if (isFailure(tables)) return;
+    for (const option of tables.warp_options) {
+      if (!kNotControls.has(option.name)) addControl(option);
+    }
+    show();
+  });
+
+  const show = () => {
+    const motion = activeMotion(store.state);
+    if (motion === undefined) return;
+    title.textContent = t('warp_of', motion.title);
+    undo.disabled = motion.done.length === 0;
+    redo.disabled = motion.undone.length === 0;
+    const key = warping.keys[keyActions.selected()];
+    removeKey.disabled = key === undefined;
+    keyNumbers.hidden = key === undefined;
+    if (key !== undefined) {
+      for (const name of ['from', 'to'] as const) {
+        if (document.activeElement !== numbers[name]) numbers[name].value = numberText(key[name]);
+      }
+    }
+    for (const {option, field} of controls) {
+      const word = warping.words[option.name];
+      if (field instanceof HTMLInputElement && field.type === 'checkbox') {
+        field.checked = word === true;
+      } else if (document.activeElement !== field || field instanceof HTMLSelectElement) {
+        field.value = typeof word === 'string' ? word : option.default;
+      }
+    }
+    fault.textContent = warping.fault;
+    fault.hidden = warping.fault === '';
+    hint.hidden = warping.keys.length > 0 || !fault.hidden;
+  };
+
+  store.on(['language'], () => {
+    for (const [element, word] of texts) element.textContent = t(word);
+    titled(undo, t('undo'));
+    titled(redo, t('redo'));
+    titled(removeKey, t('warp_remove'));
+    titled(close, t('close'));
+    titled(numbers.from, t('warp_old_frame'));
+    titled(numbers.to, t('warp_new_frame'));
+    show();
+  });
+
+  return {
+    bar: el('div', {class: 'warp-bar'}, [
+      title,
+      addKey,
+      removeKey,
+      keyNumbers,
+      options,
+      more,
+      el('span', {class: 'group end'}, [
+        undo,
+        redo,
+        action('warp_copy', copyCommand),
+        action('warp_save', save),
+        close,
+      ]),
+    ]),
+    foot: el('div', {class: 'warp-foot'}, [hint, fault]),
+    show,
+  };
+}

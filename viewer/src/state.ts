@@ -32,7 +32,8 @@ export interface OpenMotion {
 export type Camera = 'orbit' | 'follow' | 'front' | 'side' | 'top';
 
 /** The panels at the side. */
-export type Panel = 'joints' | 'curves' | 'edit' | 'info' | 'check' | 'export';
+export const kPanels = ['joints', 'curves', 'edit', 'info', 'check', 'export'] as const;
+export type Panel = (typeof kPanels)[number];
 
 /** What the scene shows beside the figures. */
 export interface Shown {

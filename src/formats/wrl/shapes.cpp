@@ -113,39 +113,30 @@ bool ShapeReader::read_node(std::size_t level, Content& content) {
   if (start.kind != TokenKind::Word) return false;
   lexer.take();
   if (start.is("NULL")) return true;
-  Token type = start;
-  std::string name;
-  if (start.is("USE") || start.is("DEF")) {
-    if (lexer.peek().kind != TokenKind::Word) return false;
-    name = lexer.take().text;
-  }
+  if (!start.is("USE") && !start.is("DEF")) return read_node_of_type(start, level, content);
+  if (lexer.peek().kind != TokenKind::Word) return false;
+  const std::string name(lexer.take().text);
   if (start.is("USE")) {
     const auto known = definitions_.find(name);
     if (known != definitions_.end()) append(known->second, parser_.spot(start), content);
     return true;
   }
-  if (start.is("DEF")) {
-    if (lexer.peek().kind != TokenKind::Word) return false;
-    type = lexer.take();
-  }
-  if (!parser_.expect("{")) return false;
-  if (level == kMostShapeLevels) {
-    stored_.report_left_out(
-        parser_.spot(start),
-        fmt::format("expected at most {} nodes in each other, found more", kMostShapeLevels));
-    return skip_to_closing(parser_);
-  }
+  if (lexer.peek().kind != TokenKind::Word) return false;
   Content own;
-  if (!read_fields(type, level, own)) return false;
-  if (!name.empty()) {
-    Content copy;
-    append(own, parser_.spot(start), copy);
-    definitions_.insert_or_assign(name, std::move(copy));
-  }
-  content.shapes.insert(content.shapes.end(), own.shapes.begin(), own.shapes.end());
-  if (own.primitive) content.primitive = own.primitive;
-  if (own.colour) content.colour = own.colour;
+  if (!read_node_of_type(lexer.take(), level, own)) return false;
+  append(own, parser_.spot(start), content);
+  definitions_.insert_or_assign(name, std::move(own));
   return true;
+}
+
+/// Reads a node from after its type.
+bool ShapeReader::read_node_of_type(const Token& type, std::size_t level, Content& content) {
+  if (!parser_.expect("{")) return false;
+  if (level < kMostShapeLevels) return read_fields(type, level, content);
+  stored_.report_left_out(
+      parser_.spot(type),
+      fmt::format("expected at most {} nodes in each other, found more", kMostShapeLevels));
+  return skip_to_closing(parser_);
 }
 
 /// Reads a node from after its brace to after the closing one.

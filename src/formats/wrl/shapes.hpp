@@ -45,6 +45,7 @@ class ShapeReader {
   };
 
   bool read_node(std::size_t level, Content& content);
+  bool read_node_of_type(const Token& type, std::size_t level, Content& content);
   bool read_fields(const Token& type, std::size_t level, Content& content);
   template <class Function>
   bool for_each_field(const Function& read_field);

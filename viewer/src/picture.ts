@@ -25,6 +25,8 @@ export interface PictureWish {
   height: number;
   /** "A:B:STEP", parts may be missing: a contact sheet; null: the time that is shown. */
   frames: string | null;
+  /** Shows what the page shows, even if nobody has moved the view. */
+  isExact?: boolean;
 }
 
 const kMostSide = 8192;
@@ -86,14 +88,16 @@ const visibleOf = (store: Store): OpenMotion[] =>
   store.state.motions.filter((motion) => motion.isVisible);
 
 /** One picture of the time that is shown. */
-async function presentPicture(studio: Studio, width: number, height: number) {
+async function presentPicture(studio: Studio, {width, height, isExact}: PictureWish) {
   const {store, poses} = studio;
   const scene = studio.scene!;
   const size = Math.max(12, Math.min(width, height) / 42);
   const moments = await momentsAt(store, poses, [store.state.seconds]);
   const {paper, context} = makePaper(scene, width, height, size);
   let cell = 1;
-  shoot(scene, store, moments, {width, height, isFramed: false}, (canvas, _, drawnCell) => {
+  // A view that nobody has moved is fitted to the picture's own proportions.
+  const frames = isExact || scene.cameras.isMoved ? 'present' : 'own';
+  shoot(scene, store, moments, {width, height, frames}, (canvas, _, drawnCell) => {
     cell = drawnCell;
     context.drawImage(canvas, 0, 0);
   });
@@ -116,8 +120,8 @@ async function contactSheet(studio: Studio, width: number, height: number, chose
   const cell = {
     width: place(1, columns, width) - kGap,
     height: place(1, rows, height) - kGap,
-    isFramed: true,
-  };
+    frames: 'all',
+  } as const;
   let grid = 1;
   shoot(scene, store, moments, cell, (canvas, k, drawnCell) => {
     grid = drawnCell;
@@ -142,11 +146,15 @@ const momentsBox = (scene: Scene, moments: Moment[]): THREE.Box3 =>
 async function makePicture(studio: Studio, wish: PictureWish): Promise<HTMLCanvasElement> {
   if (studio.scene === null) throw new Error(t('no_webgl'));
   const {state} = studio.store;
-  const [width, height] = [side(wish.width), side(wish.height)];
+  const {frames: wanted} = wish;
+  const width = side(wish.width);
+  const height = side(wish.height);
   const motion = activeMotion(state) ?? state.motions[0];
-  if (wish.frames === null || motion === undefined) return presentPicture(studio, width, height);
-  const frames = framesOf(wish.frames, numFrames(motion.document.time));
-  if (frames === null) throw new Error(t('no_frames', wish.frames));
+  if (wanted === null || motion === undefined) {
+    return presentPicture(studio, {...wish, width, height});
+  }
+  const frames = framesOf(wanted, numFrames(motion.document.time));
+  if (frames === null) throw new Error(t('no_frames', wanted));
   return contactSheet(studio, width, height, {motion, frames});
 }
 
@@ -180,6 +188,7 @@ export async function savePicture(store: Store): Promise<void> {
     width: 2 * canvas.clientWidth,
     height: 2 * canvas.clientHeight,
     frames: null,
+    isExact: true,
   });
   const blob = await new Promise<Blob | null>((resolve) => paper.toBlob(resolve, 'image/png'));
   const title = activeMotion(store.state)?.title ?? 'kinefile';

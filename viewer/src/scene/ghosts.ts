@@ -8,7 +8,7 @@ import {type Figure, makeFigure} from './figure.ts';
 
 const kEachSide = 4;
 const kInterval = 0.25;
-const kOpacity = 0.2;
+const kOpacity = 0.25;
 
 /**
  * The times of the ghosts of a motion, from its start: every quarter of a second around the time

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paths: where a joint goes during the whole motion, as a line; what is past is stronger.
+// Paths: where a joint goes during the whole motion, as a line; what is past is thicker.
 import * as THREE from 'three';
 import {Line2} from 'three/addons/lines/Line2.js';
 import {LineGeometry} from 'three/addons/lines/LineGeometry.js';
@@ -11,7 +11,9 @@ import {numFrames} from '../times.ts';
 /** No line has more points: frames are left out evenly. */
 const kMostPoints = 4000;
 const kMostKept = 24;
-const kFuture = 0.4;
+/** The width of the line in pixels: of all of it, and of what is past. */
+const kThin = 1.2;
+const kThick = 3;
 
 /** A joint's path, in the file's coordinates; null: none. */
 interface Path {
@@ -91,14 +93,13 @@ export function makePaths(core: Core, group: THREE.Group, onArrival: () => void)
     drawn.delete(handle);
   };
 
-  const lineOf = (path: Path, colour: string, opacity: number): Line2 => {
+  const lineOf = (path: Path, colour: string, width: number): Line2 => {
     const geometry = new LineGeometry();
     geometry.setPositions(path.points);
     const material = new LineMaterial({
       color: new THREE.Color(colour).getHex(),
-      linewidth: 2.5,
+      linewidth: width,
       transparent: true,
-      opacity,
       depthWrite: false,
     });
     const line = new Line2(geometry, material);
@@ -129,8 +130,8 @@ export function makePaths(core: Core, group: THREE.Group, onArrival: () => void)
           drawn.set(motion.handle, {
             key: look,
             joint,
-            whole: lineOf(path, motion.colour, kFuture),
-            past: lineOf(path, motion.colour, 1),
+            whole: lineOf(path, motion.colour, kThin),
+            past: lineOf(path, motion.colour, kThick),
             stride: path.stride,
           });
         }

@@ -47,6 +47,8 @@ export interface Scene {
 
 /** The floor goes on for so many half heights of the picture. */
 const kFloorReach = 14;
+/** The room around a figure that is followed, relative to its size. */
+const kRoom = 0.25;
 
 /** Makes the scene; throws where the browser has no WebGL. */
 export function makeScene(
@@ -131,6 +133,7 @@ export function makeScene(
     const depth = whole.isEmpty() ? 1 : whole.getSize(root).length() + size;
     root.set(0, 0, -depth).applyQuaternion(camera.quaternion).add(target);
     stage.floor.stand(isUpright ? camera : null, root);
+    stage.lightFrom(camera);
     stage.lightBox(figures.presentBox(present));
     return cell;
   };
@@ -154,7 +157,13 @@ export function makeScene(
     return isOnTheWay;
   };
 
-  const framed = () => framedBox(whole, figures.presentBox(present), figures.size());
+  const framed = () => {
+    figures.presentBox(present);
+    const size = figures.size();
+    // Who follows wants the figure, not its way.
+    const isNear = store.state.camera === 'follow' && !present.isEmpty();
+    return isNear ? present.clone().expandByScalar(kRoom * size) : framedBox(whole, present, size);
+  };
   const frameNow = () => {
     const isAnew = mustFrame === 'anew';
     mustFrame = 'no';
@@ -214,8 +223,12 @@ export function makeScene(
   });
   store.on(['seconds'], request);
   store.on(['camera'], ({camera}) => {
-    if (mustFrame !== 'anew')
+    if (mustFrame !== 'anew') {
+      const wasMoved = cameras.isMoved;
       cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+      // What a person has framed stays as large as it is.
+      if (!wasMoved) frameAll();
+    }
     invalidate();
   });
   store.on(['active'], () => {

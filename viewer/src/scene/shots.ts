@@ -32,11 +32,12 @@ export async function momentsAt(
   return moments;
 }
 
-/** The size of a picture, and whether its camera frames all moments. */
+/** The size of a picture, and what it frames. */
 export interface Format {
   width: number;
   height: number;
-  isFramed: boolean;
+  /** All moments, as the page does by itself, or what the page shows. */
+  frames: 'all' | 'own' | 'present';
 }
 
 /** Draws moments, and gives the canvas after each of them, with the width of the grid's cells. */
@@ -44,7 +45,7 @@ export function shoot(
   scene: Scene,
   store: Store,
   moments: Moment[],
-  {width, height, isFramed}: Format,
+  {width, height, frames}: Format,
   take: (canvas: HTMLCanvasElement, index: number, cell: number) => void,
 ): void {
   const {renderer} = scene.stage;
@@ -55,8 +56,7 @@ export function shoot(
   renderer.setSize(width, height, false);
   const all = moments.map(({poses}) => poses);
   scene.update(moments[0]?.seconds ?? store.state.seconds, all[0]);
-  // A view that nobody has moved is fitted to the picture's own proportions.
-  const box = isFramed ? scene.boxOfMoments(all) : scene.cameras.isMoved ? null : scene.framed();
+  const box = frames === 'all' ? scene.boxOfMoments(all) : frames === 'own' ? scene.framed() : null;
   const view = scene.cameras.framed(box, width / height);
   moments.forEach(({seconds, poses}, index) => {
     scene.update(seconds, poses);

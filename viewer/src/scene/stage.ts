@@ -11,6 +11,8 @@ export interface Stage {
   readonly theme: Theme;
   /** Shadows are as sharp as this box, which holds what casts them, allows. */
   lightBox(box: THREE.Box3): void;
+  /** Lets a weak light shine from where a camera is, so that no view shows the dark side. */
+  lightFrom(camera: THREE.Camera): void;
   /** Puts the sun beside somebody who looks from a direction. */
   turnSun(viewer: THREE.Vector3): void;
   setTheme(isDark: boolean): void;
@@ -59,7 +61,6 @@ export function makeStage(canvas: HTMLCanvasElement): Stage {
     toSun.set(kSunSlope * Math.sin(angle), 1, kSunSlope * Math.cos(angle)).normalize();
     right.set(0, 1, 0).cross(toSun).normalize();
     up.crossVectors(toSun, right);
-    fill.position.set(-toSun.x, 0.25, -toSun.z);
   };
   turnSun(new THREE.Vector3(0, 0, 1));
 
@@ -71,6 +72,9 @@ export function makeStage(canvas: HTMLCanvasElement): Stage {
       return theme;
     },
     turnSun,
+    lightFrom(camera) {
+      fill.position.set(0.5, 0.4, 1).applyQuaternion(camera.quaternion);
+    },
     lightBox(box) {
       if (box.isEmpty()) return;
       box.getCenter(centre);

@@ -19,9 +19,9 @@ export const kDark: Theme = {
   floor: 0x252b33,
   line: 0x424b58,
   strongLine: 0x6b7788,
-  sky: 1.5,
+  sky: 1.3,
   sun: 2.3,
-  fill: 0.7,
+  fill: 1.5,
   shadow: 0.55,
   text: '#e8ecf1',
 };
@@ -31,9 +31,9 @@ export const kLight: Theme = {
   floor: 0xdfe4eb,
   line: 0xbfc7d2,
   strongLine: 0x9aa4b2,
-  sky: 1.7,
+  sky: 1.45,
   sun: 2.2,
-  fill: 0.7,
+  fill: 1.5,
   shadow: 0.32,
   text: '#1b2027',
 };

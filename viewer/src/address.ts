@@ -2,7 +2,7 @@
 // The address of the page holds what is looked at: frame, view, motion, joint, panel. It can be
 // kept and sent with the page.
 import {goToFrame} from './playback.ts';
-import {activeMotion, type Camera, kPanels, type State, type Store} from './state.ts';
+import {activeMotion, type Camera, type State, type Store} from './state.ts';
 import {shownFrame} from './times.ts';
 
 const kCameras: readonly Camera[] = ['orbit', 'follow', 'front', 'side', 'top'];
@@ -20,7 +20,7 @@ function addressOf(state: Readonly<State>): string {
   if (state.camera !== 'orbit') words.set('camera', state.camera);
   if (index !== 0) words.set('motion', String(index + 1));
   if (state.joint >= 0) words.set('joint', motion.document.joints[state.joint]?.name ?? '');
-  if (state.panel !== 'joints') words.set('panel', state.panel);
+  if (state.panel !== '') words.set('panel', state.panel);
   return words.toString();
 }
 
@@ -28,13 +28,13 @@ function addressOf(state: Readonly<State>): string {
 function show(store: Store, address: string): void {
   const words = new URLSearchParams(address);
   const camera = words.get('camera') as Camera | null;
-  const panel = kPanels.find((name) => name === words.get('panel'));
+  const panel = words.get('panel');
   const motion = store.state.motions[Number(words.get('motion') ?? 1) - 1];
   if (motion !== undefined && motion.handle !== store.state.active) {
     store.set({active: motion.handle, joint: -1});
   }
   if (camera !== null && kCameras.includes(camera)) store.set({camera});
-  if (panel !== undefined) store.set({panel});
+  if (panel !== null && /^\w+$/.test(panel)) store.set({panel});
   const joints = activeMotion(store.state)?.document.joints ?? [];
   const joint = joints.findIndex(({name}) => name === words.get('joint'));
   if (joint >= 0) store.set({joint});

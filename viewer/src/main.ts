@@ -40,7 +40,7 @@ const store = makeStore({
   isWarping: false,
   // On a phone the panel would hide the timeline.
   isSideOpen: !window.matchMedia('(max-width: 760px)').matches,
-  panel: 'joints',
+  panel: '',
   isBare: false,
   language: chosenLanguage() ?? preferredLanguage(),
   busy: 'starting',

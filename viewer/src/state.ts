@@ -31,10 +31,6 @@ export interface OpenMotion {
 
 export type Camera = 'orbit' | 'follow' | 'front' | 'side' | 'top';
 
-/** The panels at the side. */
-export const kPanels = ['joints', 'curves', 'edit', 'info', 'check', 'export'] as const;
-export type Panel = (typeof kPanels)[number];
-
 /** What the scene shows beside the figures. */
 export interface Shown {
   ghosts: boolean;
@@ -65,11 +61,12 @@ export interface State {
   shown: Shown;
   /** Whether the editor of the time warp is open. */
   isWarping: boolean;
-  /** Whether the side panel is open, and its tab. */
+  /** Whether the side panel is open. */
   isSideOpen: boolean;
-  panel: Panel;
   /** Whether everything around the scene is hidden. */
   isBare: boolean;
+  /** The panel that is open, by its name; empty: the first one. */
+  panel: string;
   language: Language;
   /** What the page is busy with; empty: nothing. */
   busy: string;

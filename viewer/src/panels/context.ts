@@ -3,7 +3,15 @@
 import type {Actions} from '../actions.ts';
 import type {Core} from '../core/core.ts';
 import type {Tables} from '../core/types.ts';
-import type {Panel, State, Store} from '../state.ts';
+import type {State, Store} from '../state.ts';
+
+/** The panels, in the order of their tabs. */
+export const kPanels = ['joints', 'curves', 'edit', 'info', 'check', 'export'] as const;
+export type Panel = (typeof kPanels)[number];
+
+/** The panel that is open. */
+export const openPanel = ({panel}: Readonly<State>): Panel =>
+  kPanels.find((own) => own === panel) ?? kPanels[0];
 
 export interface PanelContext {
   store: Store;
@@ -22,6 +30,6 @@ export function whileOpen(
   draw: (state: Readonly<State>, changed: ReadonlySet<keyof State>) => void,
 ): void {
   store.on([...keys, 'panel'], (state, changed) => {
-    if (state.panel === panel) draw(state, changed);
+    if (openPanel(state) === panel) draw(state, changed);
   });
 }

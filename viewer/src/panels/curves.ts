@@ -6,7 +6,7 @@ import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {shownFrame} from '../times.ts';
 import {t} from '../words.ts';
 import {onTheme} from './colours.ts';
-import {type PanelContext, whileOpen} from './context.ts';
+import {openPanel, type PanelContext, whileOpen} from './context.ts';
 import {latestOnly} from './latest.ts';
 import {angleUnit, lengthUnit, shortNumber} from './numbers.ts';
 import {makePlot, type Plot, type Range} from './plot.ts';
@@ -111,7 +111,10 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
     const caption = t(`measure_${group.measure}`) + (unit ? ` [${unit}]` : '');
     plots.push({plot, group, values});
     return el('figure', {attributes: {'aria-label': caption}}, [
-      el('figcaption', {}, [el('h3', {}, [caption]), el('div', {class: 'keys'}, keys)]),
+      el('figcaption', {}, [
+        el('h3', {}, [caption]),
+        el('div', {class: several ? 'keys several' : 'keys'}, keys),
+      ]),
       plot.root,
     ]);
   };
@@ -178,7 +181,8 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
       button('−', () => zoomBy(2), {title: t('zoom_out')}),
       reset,
     );
-    hint.textContent = t('plot_hint');
+    const isTouch = window.matchMedia('(pointer: coarse)').matches;
+    hint.textContent = t(isTouch ? 'plot_hint_touch' : 'plot_hint');
   };
 
   const draw = (state: Readonly<State>) => {
@@ -197,7 +201,7 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
   whileOpen(store, 'curves', ['language'], drawBar);
   whileOpen(store, 'curves', ['motions', 'active', 'joint', 'language'], draw);
   whileOpen(store, 'curves', ['seconds'], follow);
-  onTheme(() => store.state.panel === 'curves' && redraw(store.state));
+  onTheme(() => openPanel(store.state) === 'curves' && redraw(store.state));
   const tools = el('div', {class: 'curve-tools'}, [title, chips, bar]);
   return el('section', {class: 'curves-panel'}, [tools, body, hint]);
 }

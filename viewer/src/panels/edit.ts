@@ -129,6 +129,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     });
     const compare = button(t('compare'), () => compareWithOriginal(store, actions, motion), {
       title: t('compare_help'),
+      disabled: steps.length === 0,
     });
     done.replaceChildren(
       el('h2', {}, [t('steps_done')]),

@@ -95,11 +95,13 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
   const root = el('section', {class: 'info-panel scrolled'});
   const refusal = el('p', {class: 'refusal', attributes: {role: 'alert'}});
 
-  /** Reads the file again; what the core says against it stands beside the controls. */
-  const reopen = async (motion: OpenMotion, change: Partial<Description>) => {
+  /** Reads the file again; what the core says against it stands at the control. */
+  const reopen = async (motion: OpenMotion, change: Partial<Description>, field: HTMLElement) => {
     const isDone = await actions.reopen(motion, change);
     refusal.textContent = isDone ? '' : store.state.message;
-    if (!isDone) store.set({message: ''});
+    if (isDone) return;
+    field.append(refusal);
+    store.set({message: ''});
   };
 
   const optionField = (motion: OpenMotion, info: OptionInfo): HTMLElement => {
@@ -109,7 +111,8 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     field.control.addEventListener('change', () => {
       const word = info.type === 'flag' ? field.word() === 'true' : field.word();
       const {[info.name]: _, ...others} = options;
-      reopen(motion, {options: word ? {...others, [info.name]: word} : others});
+      const changed = word ? {...others, [info.name]: word} : others;
+      reopen(motion, {options: changed}, field.root);
     });
     return field.root;
   };
@@ -129,9 +132,10 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     if (now !== '' && !files.includes(now)) files.unshift(now);
     const select = selectOf(files, t('found_beside'), now);
     select.id = `companion-${key}`;
-    select.addEventListener('change', () => reopen(motion, {[key]: select.value}));
     const label = el('label', {htmlFor: select.id}, [t(`companion_${key}`)]);
-    return el('div', {class: 'field'}, [label, select]);
+    const field = el('div', {class: 'field'}, [label, select]);
+    select.addEventListener('change', () => reopen(motion, {[key]: select.value}, field));
+    return field;
   };
 
   /** What a motion is read with: the skeleton or the robot, and for a flow what moves it. */
@@ -175,7 +179,6 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
         {class: 'sentences'},
         motion.document.facts.map((fact) => el('li', {}, [fact])),
       ),
-      refusal,
       ...companions(motion),
       el('h2', {}, [t('read_options')]),
       el('p', {class: 'hint'}, [t('read_options_help')]),

@@ -54,7 +54,8 @@ export function makePlot(
   let marked = 0;
   const place = (plot: uPlot) => {
     const at = plot.valToPos(marked, 'x');
-    now.hidden = !(at >= -1 && at <= plot.over.clientWidth + 1);
+    const width = plot.bbox.width / devicePixelRatio; // known without a layout
+    now.hidden = !(at >= -1 && at <= width + 1);
     now.style.transform = `translateX(${at}px)`;
   };
   const plot = new uPlot(

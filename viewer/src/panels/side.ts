@@ -3,10 +3,9 @@
 import {type Core, isFailure} from '../core/core.ts';
 import type {Tables} from '../core/types.ts';
 import {byId, el} from '../elements.ts';
-import type {Panel} from '../state.ts';
 import {t} from '../words.ts';
 import {makeCheckPanel} from './check.ts';
-import type {PanelContext} from './context.ts';
+import {kPanels, openPanel, type Panel, type PanelContext} from './context.ts';
 import {makeCurvesPanel} from './curves.ts';
 import {makeEditPanel} from './edit.ts';
 import {makeExportPanel} from './export.ts';
@@ -19,8 +18,6 @@ export async function tablesOf(core: Core): Promise<Tables> {
   if (isFailure(answer)) throw new Error(answer.error.message);
   return answer;
 }
-
-const kPanels: Panel[] = ['joints', 'curves', 'edit', 'info', 'check', 'export'];
 
 /** Which tab a key goes to, from the one that has the focus; null: the key is not for tabs. */
 const tabAfter = (key: string, from: number): number | null => {
@@ -86,7 +83,7 @@ export function makeSide(context: PanelContext): void {
   });
   store.on(['panel'], (state) => {
     kPanels.forEach((panel, index) => {
-      const isOpen = panel === state.panel;
+      const isOpen = panel === openPanel(state);
       tabs[index].setAttribute('aria-selected', String(isOpen));
       tabs[index].tabIndex = isOpen ? 0 : -1;
       panels[panel].hidden = !isOpen;

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: MIT
+// The panels at the side: joints, curves, edit, info, check, export.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {build} from 'esbuild';
+import {drop, kinefile, launch, openPage, out, phone, root} from './browser.mjs';
+
+const folder = join(out, 'panels');
+mkdirSync(folder, {recursive: true});
+const specExample = join(root, 'tests/formats/bvh/valid/spec_example.bvh');
+const examples = join(root, 'examples');
+
+/** A figure whose arm turns by two degrees a frame; both joints have names of one's choice. */
+function writeBvh(name, frames, joints = ['Hips', 'Arm']) {
+  const rows = Array.from({length: frames}, (_, f) => `${f} 90 0 0 0 0 ${f * 2} 0 0`);
+  const path = join(folder, name);
+  writeFileSync(
+    path,
+    `HIERARCHY
+ROOT ${joints[0]}
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT ${joints[1]}
+  {
+    OFFSET 0 10 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 10 0
+    }
+  }
+}
+MOTION
+Frames: ${frames}
+Frame Time: 0.02
+${rows.join('\n')}
+`,
+  );
+  return path;
+}
+
+/** Small, since software draws it. */
+const viewport = {width: 1000, height: 680};
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** A page with files open; `faults` must be empty at the end. */
+async function opened(files, options = {}) {
+  const given = {permissions: ['clipboard-read', 'clipboard-write'], ...options};
+  const {tab, context, faults} = await openPage(browser, {
+    reducedMotion: 'reduce',
+    viewport,
+    ...given,
+  });
+  await tab.waitForSelector('#tab-joints', {state: 'attached'});
+  await drop(tab, files, 100, 200);
+  return {tab, context, faults};
+}
+
+/** Opens a panel, where the side is folded away too. */
+async function openTab(tab, name) {
+  const toggle = await tab.$('#side-toggle[aria-expanded="false"]');
+  if (toggle !== null) await toggle.click();
+  await tab.click(`#tab-${name}`);
+  await tab.waitForSelector(`#panel-${name}:not([hidden])`);
+}
+
+const shot = (tab, name) =>
+  tab.screenshot({path: join(out, `panels_${name}.png`), timeout: 60_000});
+const clipboard = (tab) => tab.evaluate(() => navigator.clipboard.readText());
+const frames = (tab) =>
+  tab.evaluate(() => document.querySelector('.facts')?.textContent.match(/Frames(\d+)/)?.[1]);
+const isShown = (tab, selector, text) =>
+  tab.waitForSelector(`${selector}:has-text("${text}")`, {timeout: 10_000});
+
+/** The functions of a module of the page that needs no page. */
+async function imported(module) {
+  const entry = join(root, 'viewer/src', module);
+  const made = await build({entryPoints: [entry], bundle: true, write: false, format: 'esm'});
+  return import(`data:text/javascript,${encodeURIComponent(made.outputFiles[0].text)}`);
+}
+
+test('steps become commands that a shell takes: one a warp, one for operations in a row', async () => {
+  const {commandLine, operationWord, outputName, quoted, stepText} =
+    await imported('panels/steps.ts');
+  const warp = {warp: {key: ['100:110', '150:160'], tail: 'extend', contacts: true, ease: ''}};
+  const document = {
+    path: 'take 1/-walk.amc',
+    format: 'amc',
+    skeleton: 'take 1/actor.asf',
+    servo_map: '',
+    project: '',
+    options: {fps: '60', 'up-in': 'z', lenient: true},
+  };
+  const steps = [{operation: 'trim=10:20'}, {operation: 'mirror'}, warp, {operation: 'reverse'}];
+  const motion = {document, steps};
+  assert.equal(outputName(motion), '-walk_edited.amc');
+  assert.equal(stepText(warp), 'warp --key 100:110 --key 150:160 --tail extend --contacts');
+  assert.equal(
+    commandLine(motion, 'out.bvh'),
+    "kinefile edit 'take 1/-walk.amc' trim=10:20 mirror --skeleton 'take 1/actor.asf' " +
+      '--fps 60 --up-in z --lenient -o ./-walk.step1.amc &&\n' +
+      'kinefile warp ./-walk.step1.amc --key 100:110 --key 150:160 --tail extend --contacts ' +
+      "--skeleton 'take 1/actor.asf' --up-in z -o ./-walk.step2.amc &&\n" +
+      "kinefile edit ./-walk.step2.amc reverse --skeleton 'take 1/actor.asf' --up-in z -o out.bvh",
+  );
+  assert.equal(quoted("it's; rm -rf $HOME"), "'it'\\''s; rm -rf $HOME'");
+  const parameter = (name, separator, is_required) => ({name, separator, is_required});
+  const form = {
+    parameters: [parameter('count', '=', true), parameter('to', ':', true), parameter('blend', '')],
+  };
+  assert.equal(operationWord('loop', form, ['3', '', '']), 'loop=3:');
+  assert.equal(operationWord('loop', form, ['3', '4', '5']), 'loop=3:4,blend=5');
+  const bare = {parameters: [parameter('axis', '=', false)]};
+  assert.equal(operationWord('mirror', bare, ['']), 'mirror');
+  assert.equal(operationWord('mirror', bare, ['x']), 'mirror=x');
+});
+
+test('the tabs are tabs: arrows, Home and End go through them', async () => {
+  const {tab, context, faults} = await opened([writeBvh('tabs.bvh', 4)]);
+  await isShown(tab, '.joint', 'Arm');
+  await tab.focus('#tab-joints');
+  await tab.keyboard.press('ArrowRight');
+  assert.equal(await tab.getAttribute('#tab-curves', 'aria-selected'), 'true');
+  assert.equal(await tab.isVisible('#panel-joints'), false);
+  assert.equal(await tab.isVisible('#panel-curves'), true);
+  await tab.keyboard.press('End');
+  assert.equal(await tab.evaluate(() => document.activeElement.id), 'tab-export');
+  await tab.keyboard.press('ArrowRight');
+  assert.equal(await tab.evaluate(() => document.activeElement.id), 'tab-joints');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the Chest of the example in the document of BVH is where the document says', async () => {
+  const {tab, context, faults} = await opened([specExample]);
+  await tab.click('.joint:has-text("Chest")');
+  await isShown(tab, '.readouts h2', 'Chest');
+  const position = tab.locator('.values').first();
+  const numbers = await position.locator('.number').allTextContents();
+  const expected = [8.32964, 40.03869, 89.68911];
+  for (const [axis, value] of expected.entries()) {
+    assert.ok(Math.abs(Number(numbers[axis]) - value) < 5e-6, `${numbers[axis]} is not ${value}`);
+  }
+  // Every digit of the double is there, and is copied without the gaps between the groups.
+  assert.deepEqual(numbers, ['8.329640301706473', '40.03869482165106', '89.6891140208022']);
+  await position.locator('button').click();
+  await isShown(tab, '.values button', 'Copied');
+  assert.equal(await clipboard(tab), '8.329640301706473 40.03869482165106 89.6891140208022');
+  const channels = await tab.locator('.values').nth(1).locator('tr').allTextContents();
+  assert.deepEqual(channels, ['Zrotation13.09°', 'Xrotation40.3°', 'Yrotation-24.6°']);
+  await shot(tab, 'joints');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('joints are found by a part of their name, and chosen with the keyboard', async () => {
+  const {tab, context, faults} = await opened([specExample]);
+  await isShown(tab, '.joint', 'Hips');
+  await tab.fill('#panel-joints .search', 'rightlow');
+  assert.deepEqual(await tab.locator('.joint').allTextContents(), ['RightLowArm', 'RightLowLeg']);
+  await tab.press('#panel-joints .search', 'ArrowDown');
+  await isShown(tab, '.readouts h2', 'RightLowArm');
+  await tab.keyboard.press('ArrowDown');
+  await isShown(tab, '.readouts h2', 'RightLowLeg');
+  await tab.fill('#panel-joints .search', 'nothing of this name');
+  await isShown(tab, '.joints .empty', 'No joint');
+  await tab.fill('#panel-joints .search', '');
+  assert.equal(await tab.locator('.joint').count(), 18);
+  assert.equal(await tab.locator('.joint[aria-selected="true"]').textContent(), 'RightLowLeg');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('curves go with the time: a click goes to a frame, shift and drag zooms', async () => {
+  const {tab, context, faults} = await opened([writeBvh('curves.bvh', 101)]);
+  await tab.click('.joint:has-text("Arm")');
+  await openTab(tab, 'curves');
+  await tab.waitForSelector('.plot canvas');
+  assert.equal(await tab.locator('.plot').count(), 1);
+  await tab.click('.chip:has-text("angular speed")');
+  await tab.click('.chip:has-text("Zrotation")');
+  await isShown(tab, 'figcaption', 'Angle [°]');
+  assert.equal(await tab.locator('.plot').count(), 3);
+  assert.equal(await tab.getAttribute('.chip:has-text("Zrotation")', 'aria-pressed'), 'true');
+
+  const over = tab.locator('.u-over').first();
+  const box = await over.boundingBox();
+  const at = (part) => [box.x + box.width * part, box.y + box.height / 2];
+  await tab.mouse.click(...at(0.5));
+  // The value at the shown frame: Zrotation is twice the frame.
+  await isShown(tab, 'figure:has-text("Angle [") .key .number', '100');
+  const mark = await tab.locator('.plot-now').first().boundingBox();
+  assert.ok(Math.abs(mark.x + 1 - at(0.5)[0]) < 4);
+
+  await tab.keyboard.down('Shift');
+  await tab.mouse.move(...at(0.25));
+  await tab.mouse.down();
+  await tab.mouse.move(...at(0.75), {steps: 4});
+  await tab.mouse.up();
+  await tab.keyboard.up('Shift');
+  const all = tab.locator('.curve-tools button:has-text("Show all")');
+  assert.equal(await all.isDisabled(), false);
+  await tab.mouse.click(...at(0));
+  await isShown(tab, 'figure:has-text("Angle [") .key .number', '50');
+  await shot(tab, 'curves');
+  await all.click();
+  await tab.mouse.click(...at(0));
+  await tab.waitForFunction(() => {
+    const keys = [...document.querySelectorAll('figure')].find((one) =>
+      one.textContent.includes('Angle ['),
+    );
+    return keys.querySelector('.number').textContent === '0';
+  });
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('curves of several motions lie over each other, in their colours', async () => {
+  const files = [writeBvh('first.bvh', 60), writeBvh('second.bvh', 90)];
+  const {tab, context, faults} = await opened(files, {colorScheme: 'dark'});
+  await tab.click('.joint:has-text("Arm")');
+  await openTab(tab, 'curves');
+  await isShown(tab, '.key', 'second.bvh x');
+  assert.equal(await tab.locator('.key').count(), 6);
+  const colours = await tab
+    .locator('.key .line')
+    .evaluateAll((lines) => [...new Set(lines.map((line) => line.style.borderColor))]);
+  assert.equal(colours.length, 2);
+  await tab.selectOption('.curve-tools select', 'seconds');
+  await tab.waitForSelector('.plot canvas');
+  await shot(tab, 'overlay_dark');
+  await tab.emulateMedia({colorScheme: 'light'});
+  await tab.waitForFunction(
+    (dark) => document.querySelector('.key .line').style.borderColor !== dark,
+    colours[0],
+  );
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('an operation is applied, refused, undone, removed, and its command copied', async () => {
+  const path = writeBvh('edited.bvh', 40);
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'edit');
+  await tab.fill('#panel-edit .search', 'frames alone');
+  await tab.click('.operation:has-text("trim")');
+  await tab.fill('form [name="begin"]', '30');
+  await tab.fill('form [name="end"]', '20');
+  await tab.click('form button:has-text("Apply")');
+  // What the core says stands at the form, and nowhere else.
+  await isShown(tab, 'form .refusal', 'trim');
+  await shot(tab, 'edit_refused');
+  assert.equal(await tab.locator('.steps li').count(), 0);
+  await tab.fill('form [name="begin"]', '10');
+  await tab.fill('form [name="end"]', '20');
+  await tab.press('form [name="end"]', 'Enter');
+  await isShown(tab, '.steps', 'trim=10:20');
+  assert.equal(await tab.textContent('form .refusal'), '');
+
+  await tab.fill('#panel-edit .search', '');
+  await tab.click('.operation:has-text("loop")');
+  await tab.fill('form [name="count"]', '3');
+  await tab.fill('form [name="blend"]', '2');
+  await tab.click('form button:has-text("Apply")');
+  await isShown(tab, '.steps', 'loop=3,blend=2');
+  await tab.click('button:has-text("Copy the command line")');
+  await isShown(tab, '.copy', 'Copied');
+  const command = 'kinefile edit edited.bvh trim=10:20 loop=3,blend=2 -o edited_edited.bvh';
+  assert.equal(await clipboard(tab), command);
+
+  await tab.click('button[aria-label="Remove the step trim=10:20"]');
+  await tab.waitForSelector('.steps:not(:has-text("trim"))');
+  assert.deepEqual(await tab.locator('.steps code').allTextContents(), ['loop=3,blend=2']);
+  await openTab(tab, 'info');
+  assert.equal(await frames(tab), String(40 * 3 - 2 * 2));
+  await openTab(tab, 'edit');
+  await tab.click('button:has-text("Compare with the original")');
+  await isShown(tab, '#motions', 'edited.bvh (original)');
+  await openTab(tab, 'edit');
+  // The changed one stays the active one; the original is yellow.
+  await isShown(tab, '.steps', 'loop=3');
+  await shot(tab, 'edit_compare');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('undo and redo go through the steps', async () => {
+  const {tab, context, faults} = await opened([writeBvh('history.bvh', 20)]);
+  await openTab(tab, 'edit');
+  for (const name of ['reverse', 'in-place']) {
+    await tab.click(`.operation:has(b:text-is("${name}"))`);
+    await tab.click('form button:has-text("Apply")');
+    await isShown(tab, '.steps', name);
+  }
+  await tab.click('button:has-text("Undo")');
+  await tab.waitForSelector('.steps:not(:has-text("in-place"))');
+  await tab.click('button:has-text("Redo")');
+  await isShown(tab, '.steps', 'in-place');
+  assert.deepEqual(await tab.locator('.steps code').allTextContents(), ['reverse', 'in-place']);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the copied command does what the page does', {skip: !existsSync(kinefile)}, async () => {
+  const path = writeBvh("it's a clip.bvh", 30);
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'edit');
+  await tab.click('.operation:has-text("speed")');
+  await tab.fill('form [name="factor"]', '1.5');
+  await tab.click('form button:has-text("Apply")');
+  await isShown(tab, '.steps', 'speed=1.5');
+  await openTab(tab, 'export');
+  const [saved] = await Promise.all([
+    tab.waitForEvent('download'),
+    tab.click('#panel-export button:has-text("Save")'),
+  ]);
+  const command = await tab.textContent('.command');
+  const made = join(folder, "it's a clip_edited.bvh");
+  rmSync(made, {force: true});
+  execFileSync('sh', ['-c', command.replace(/^kinefile/, '"$KINEFILE"')], {
+    cwd: folder,
+    env: {...process.env, KINEFILE: kinefile},
+    stdio: 'pipe',
+  });
+  assert.equal(readFileSync(await saved.path(), 'utf8'), readFileSync(made, 'utf8'));
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the file is read again with other options', async () => {
+  const {tab, context, faults} = await opened([writeBvh('read.bvh', 10)]);
+  await openTab(tab, 'info');
+  await isShown(tab, '.facts', '50 frames a second');
+  await tab.fill('[name="fps"]', '25');
+  await tab.press('[name="fps"]', 'Enter');
+  await isShown(tab, '.facts', '25 frames a second');
+  await tab.selectOption('[name="up-in"]', 'z');
+  await isShown(tab, '.facts', 'known');
+  await isShown(tab, '.facts', '25 frames a second');
+  await tab.fill('[name="unit-in"]', 'furlong');
+  await tab.press('[name="unit-in"]', 'Enter');
+  await isShown(tab, '.refusal', 'furlong');
+  await shot(tab, 'info');
+  await openTab(tab, 'export');
+  await tab.selectOption('#export-format', 'csv');
+  assert.equal(
+    await tab.textContent('.command'),
+    'kinefile convert read.bvh --fps 25 --up-in z -o read.csv',
+  );
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a file at fault shows its messages as check does, and is repaired', async () => {
+  const good = writeBvh('bad.bvh', 3, ['ヒップ', '<img/src=x/onerror=alert(1)>']);
+  const text = readFileSync(good, 'utf8')
+    .replace('JOINT', '関節 JOINT')
+    .replace('OFFSET 0 10 0\n    CHANNELS', 'OFFSET 0 1o 0\n    CHANNELS');
+  writeFileSync(good, text);
+  const {tab, context, faults} = await opened([good]);
+  await openTab(tab, 'check');
+  await isShown(tab, '.diagnostic', 'bad.bvh:6:3');
+  await isShown(tab, '.diagnostic', "found '関節'");
+  // The caret is a byte of UTF-8; the page marks the letter.
+  assert.equal(await tab.locator('.excerpt mark').first().textContent(), '関');
+  assert.ok(Number(await tab.textContent('#tab-check .count')) >= 1);
+  await tab.click('.diagnostic summary');
+  await isShown(tab, '.diagnostic details[open]', 'Cause:');
+  await shot(tab, 'check_fault');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('names with markup in them are text', async () => {
+  const name = '<img/src=x/onerror=globalThis.hit=1>';
+  const files = [writeBvh('hostile.bvh', 5, ['Hips', name])];
+  const {tab, context, faults} = await opened(files);
+  await tab.click(`.joint >> text=${name}`);
+  await isShown(tab, '.readouts h2', name);
+  for (const panel of ['curves', 'edit', 'info', 'check', 'export']) await openTab(tab, panel);
+  assert.equal(await tab.locator('#side img').count(), 0);
+  assert.equal(await tab.evaluate(() => globalThis.hit), undefined);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('motions, tables of positions and the original are saved', async () => {
+  const path = writeBvh('saved.bvh', 6);
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'export');
+  const save = async (selector) => {
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click(selector)]);
+    return {name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8')};
+  };
+  const source = await save('#panel-export .bar button:has-text("saved.bvh")');
+  assert.deepEqual(source, {name: 'saved.bvh', text: readFileSync(path, 'utf8')});
+  const positions = await save('#panel-export .bar button:has-text("CSV")');
+  assert.equal(positions.name, 'saved_positions.csv');
+  assert.equal(positions.text.split('\n')[1].split(',')[2], 'Hips');
+  await tab.selectOption('#export-format', 'choreonoid');
+  assert.equal(await tab.inputValue('#export-name'), 'saved.seq');
+  const motion = await save('#panel-export button:has-text("Save")');
+  assert.equal(motion.name, 'saved.seq');
+  assert.match(motion.text, /BodyMotion/);
+  await isShown(tab, '.told', 'Saved: saved.seq');
+  await shot(tab, 'export');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a robot: links with the joints that move them, and which robot a motion is read with', async () => {
+  const files = [join(examples, 'robot.body'), join(examples, 'bow.seq')];
+  const {tab, context, faults} = await opened(files);
+  await isShown(tab, '.joint', 'LEG_R_HIP_R');
+  await openTab(tab, 'info');
+  await isShown(tab, '.facts', 'body motion of a robot');
+  assert.equal(await tab.inputValue('#companion-skeleton'), 'robot.body');
+  await openTab(tab, 'edit');
+  await isShown(tab, '.operation', 'zmp');
+  // What works on skeletons alone is not offered.
+  assert.equal(await tab.locator('.operation:has-text("mirror")').count(), 0);
+  await shot(tab, 'robot');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a phone, in Japanese and dark', async () => {
+  const {tab, context, faults} = await opened([specExample], phone);
+  await openTab(tab, 'joints');
+  await tab.tap('.joint:has-text("Chest")');
+  await isShown(tab, '.readouts h2', 'フレーム 0');
+  for (const panel of ['joints', 'curves', 'edit', 'info', 'check', 'export']) {
+    await openTab(tab, panel);
+    const [wide, wanted] = await tab.$eval(`#panel-${panel}`, (own) => [
+      own.clientWidth,
+      own.scrollWidth,
+    ]);
+    assert.ok(wanted <= wide, `${panel} is ${wanted} wide on ${wide}`);
+    await shot(tab, `phone_${panel}`);
+  }
+  assert.equal(await tab.textContent('#tab-export'), '書き出し');
+  assert.deepEqual(faults, []);
+  await context.close();
+});

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Keyboard shortcuts: one table, from which the help is made.
 import type {Actions} from './actions.ts';
+import {notify} from './notify.ts';
 import {setLoopEnd} from './panels/track.ts';
 import {focusFrame} from './panels/transport.ts';
 import {goToFrame, step, stepSpeed} from './playback.ts';
 import {activeMotion, type Camera, type Shown, type Store} from './state.ts';
-import type {Word} from './words.ts';
+import {t, type Word} from './words.ts';
 
 export interface Shortcut {
   /** As `nameOf` names keys; all of them do the same. */
@@ -58,8 +59,11 @@ export function makeShortcuts(store: Store, actions: Actions, others: ShortcutAc
     if (store.state.camera === name) others.frameAll();
     else store.set({camera: name});
   };
-  const toggle = (name: keyof Shown) => () =>
-    store.set({shown: {...store.state.shown, [name]: !store.state.shown[name]}});
+  const toggle = (name: keyof Shown, word: Word) => () => {
+    const isOn = !store.state.shown[name];
+    store.set({shown: {...store.state.shown, [name]: isOn}});
+    notify(store, t(isOn ? 'is_on' : 'is_off', t(word)));
+  };
   const undo = () => {
     const motion = active();
     if (motion !== undefined) actions.undo(motion);
@@ -105,11 +109,11 @@ export function makeShortcuts(store: Store, actions: Actions, others: ShortcutAc
     of(['4'], 'key_top', camera('top')),
     of(['5'], 'key_follow', camera('follow')),
     of(['0'], 'key_frame_all', others.frameAll),
-    of(['g'], 'key_ghosts', toggle('ghosts'), ['G']),
-    of(['p'], 'key_paths', toggle('paths'), ['P']),
-    of(['c'], 'key_contacts', toggle('contacts'), ['C']),
-    of(['a'], 'key_axes', toggle('axes'), ['A']),
-    of(['n'], 'key_names', toggle('names'), ['N']),
+    of(['g'], 'key_ghosts', toggle('ghosts', 'key_ghosts'), ['G']),
+    of(['p'], 'key_paths', toggle('paths', 'key_paths'), ['P']),
+    of(['c'], 'key_contacts', toggle('contacts', 'key_contacts'), ['C']),
+    of(['a'], 'key_axes', toggle('axes', 'key_axes'), ['A']),
+    of(['n'], 'key_names', toggle('names', 'key_names'), ['N']),
     of(['m'], 'key_next_motion', nextMotion, ['M']),
     of(['u', 'ctrl+z'], 'undo', undo, ['U', 'Ctrl Z']),
     of(['shift+u', 'ctrl+shift+z', 'ctrl+y'], 'redo', redo, ['Shift U', 'Ctrl Shift Z']),

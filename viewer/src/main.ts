@@ -52,6 +52,13 @@ store.on(['language'], ({language}) => {
   fillWords();
 });
 makeStatus(store);
+let giveActions: (actions: Actions) => void;
+takeFiles(
+  store,
+  new Promise((resolve) => {
+    giveActions = resolve;
+  }),
+);
 
 /** Resolves when the browser has painted what is there. */
 const painted = () =>
@@ -76,7 +83,6 @@ function makeSurroundings(core: Core, actions: Actions, frameAll: () => void): v
   makeMotionList(store, actions);
   makeFileList(store, actions);
   makeEmpty(core, store);
-  takeFiles(store, actions);
   const axis = makeTimeAxis(store);
   const marks = makeMarks(core, store);
   makeTransport(store, marks, () => warp.toggle());
@@ -91,7 +97,6 @@ function makeSurroundings(core: Core, actions: Actions, frameAll: () => void): v
   });
   useShortcuts(shortcuts);
   makeTools(store, toggleHelp);
-  keepAddress(store);
 }
 
 async function start(): Promise<Studio> {
@@ -107,6 +112,8 @@ async function start(): Promise<Studio> {
 
   for (const {path, bytes} of carried.files) await core.addFile(path, bytes);
   for (const {path, ...like} of carried.open) await actions.openPath(path, like);
+  keepAddress(store);
+  giveActions(actions);
   return {store, scene, poses};
 }
 

@@ -43,7 +43,9 @@ export function makeHelp(store: Store, version: string, shortcuts: () => Shortcu
     if (event.target === dialog) dialog.close(); // beside it
   });
   dialog.addEventListener('keydown', (event) => {
-    if (event.key === '?') dialog.close();
+    if (event.key !== '?') return;
+    event.preventDefault(); // or the shortcut would open it again
+    dialog.close();
   });
   const fill = () => {
     dialog.setAttribute('aria-label', t('help'));

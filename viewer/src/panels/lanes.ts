@@ -16,13 +16,18 @@ const kLabelSpace = 70;
 /** Marks that are nearer than so many pixels are drawn as one. */
 const kMarkSpace = 5;
 
-/** Ticks and frame numbers of the active motion; seconds below them on wide rulers. */
+/** What the ruler counts: frames of the active motion, or its seconds. */
+export type RulerUnit = 'frames' | 'seconds';
+
+/** Ticks, and their numbers. */
 export function drawRuler(
   motion: OpenMotion,
   axis: TimeAxis,
   width: number,
   height: number,
+  unit: RulerUnit,
 ): SVGElement[] {
+  if (unit === 'seconds') return drawSeconds(motion, axis, width, height);
   const {time} = motion.document;
   const [begin, end] = axis.range;
   const perFrame = time.frame_time > 0 ? time.frame_time : 1;
@@ -36,14 +41,34 @@ export function drawRuler(
     const seconds = isWithin ? secondsOf(motion, frame) : motion.offset + frame * perFrame;
     const x = axis.x(seconds, width);
     if (x > width - kRight + 1) continue;
-    drawn.push(
-      svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
-      svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [String(frame)]),
-    );
+    drawn.push(...tick(x, height, String(frame), isWithin));
   }
-  drawn.push(svg('text', {class: 'label name', x: 4, y: 16}, [t('frame_short')]));
   return drawn;
 }
+
+function drawSeconds(
+  motion: OpenMotion,
+  axis: TimeAxis,
+  width: number,
+  height: number,
+): SVGElement[] {
+  const [begin, end] = axis.range;
+  const step = tickStep(kLabelSpace * axis.secondsPerPixel(width));
+  const drawn: SVGElement[] = [];
+  const duration = Number(motion.document.time.duration);
+  for (let i = Math.ceil((begin - motion.offset) / step - 1e-6); ; i++) {
+    const seconds = i * step;
+    const x = axis.x(motion.offset + seconds, width);
+    if (motion.offset + seconds > end + 1e-9 || x > width - kRight + 1) return drawn;
+    const isWithin = seconds >= 0 && seconds <= duration;
+    drawn.push(...tick(x, height, `${Number(seconds.toPrecision(6))} s`, isWithin));
+  }
+}
+
+const tick = (x: number, height: number, text: string, isWithin: boolean): SVGElement[] => [
+  svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
+  svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [text]),
+];
 
 /** When a motion ends, in seconds of the page. */
 const endOf = ({offset, document}: OpenMotion): number => offset + Number(document.time.duration);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bar at the top: choosing files, dropping them, the state of work, language, help.
-import type {Actions} from '../actions.ts';
+import type {Actions, GivenFile} from '../actions.ts';
 import {byId, el} from '../elements.ts';
 import {chosenFiles, droppedFiles} from '../files.ts';
 import type {Store} from '../state.ts';
@@ -43,12 +43,20 @@ export function makeStatus(store: Store): void {
   });
 }
 
-/** Opens what is chosen or dropped. */
-export function takeFiles(store: Store, actions: Actions): void {
+/** Opens what is chosen or dropped; what comes before the core is there waits for it. */
+export function takeFiles(store: Store, ready: Promise<Actions>): void {
+  const open = async (reading: Promise<GivenFile[]>) => {
+    try {
+      const files = await reading;
+      await (await ready).openFiles(files);
+    } catch (fault) {
+      store.set({busy: '', message: String(fault)});
+    }
+  };
   for (const id of ['choose-files', 'choose-folder']) {
     const input = byId<HTMLInputElement>(id);
     input.addEventListener('change', async () => {
-      if (input.files) await actions.openFiles(await chosenFiles(input.files));
+      if (input.files) await open(chosenFiles(input.files));
       input.value = '';
     });
   }
@@ -63,16 +71,11 @@ export function takeFiles(store: Store, actions: Actions): void {
     hint.hidden = depth <= 0;
   });
   document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', async (event) => {
+  document.addEventListener('drop', (event) => {
     event.preventDefault();
     depth = 0;
     hint.hidden = true;
-    if (event.dataTransfer === null) return;
-    try {
-      await actions.openFiles(await droppedFiles(event.dataTransfer.items));
-    } catch (fault) {
-      store.set({busy: '', message: String(fault)});
-    }
+    if (event.dataTransfer !== null) open(droppedFiles(event.dataTransfer.items));
   });
 }
 

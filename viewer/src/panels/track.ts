@@ -7,7 +7,16 @@ import {activeMotion, type OpenMotion, type Store, withMotion} from '../state.ts
 import {frameAt, numFrames, secondsOf, shownFrame, wholeRange} from '../times.ts';
 import {t} from '../words.ts';
 import type {TimeAxis} from './axis.ts';
-import {drawContacts, drawLane, drawMarks, drawRuler, kLaneHeight, kRulerHeight} from './lanes.ts';
+import {titled} from './icons.ts';
+import {
+  drawContacts,
+  drawLane,
+  drawMarks,
+  drawRuler,
+  kLaneHeight,
+  kRulerHeight,
+  type RulerUnit,
+} from './lanes.ts';
 import type {Marks} from './marks.ts';
 import {arrowStep, type Grip, redraw, sliderAttributes, svg, useGrips} from './svg.ts';
 
@@ -40,8 +49,14 @@ export function setLoopEnd(store: Store, end: 'begin' | 'end'): void {
 export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
   const note = el('output', {class: 'mark-note', hidden: true});
   const drawing = svg('svg', {class: 'track'});
-  byId('time').append(el('div', {class: 'track-holder'}, [drawing, note]));
   const playhead = svg('g', {});
+  let unit: RulerUnit = 'frames';
+  const unitButton = el('button', {type: 'button', class: 'unit plain'});
+  unitButton.addEventListener('click', () => {
+    unit = unit === 'frames' ? 'seconds' : 'frames';
+    draw();
+  });
+  byId('time').append(el('div', {class: 'track-holder'}, [drawing, unitButton]), note);
   let width = 300;
   let height = 60;
 
@@ -139,7 +154,13 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
         },
         [
           svg('title', {}, [t(which === 'begin' ? 'loop_begin' : 'loop_end')]),
-          svg('rect', {class: 'reach', x: x - 10, y: 0, width: 20, height: kRulerHeight}),
+          svg('rect', {
+            class: 'reach',
+            x: which === 'begin' ? x - 16 : x - 1,
+            y: 0,
+            width: 17,
+            height: kRulerHeight,
+          }),
           svg('path', {
             d:
               which === 'begin'
@@ -180,6 +201,8 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     const {motions, active} = store.state;
     const motion = activeMotion(store.state);
     if (motion === undefined) return;
+    unitButton.textContent = t(unit === 'frames' ? 'unit_frames' : 'unit_seconds');
+    titled(unitButton, t(unit === 'frames' ? 'ruler_frames' : 'ruler_seconds'));
     width = drawing.clientWidth || width;
     const hasMarks = marks.all.length > 0;
     const lanesTop = kRulerHeight + (hasMarks ? kMarksHeight : 2);
@@ -189,13 +212,13 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     const top = (one: OpenMotion) => lanesTop + motions.indexOf(one) * kLaneHeight;
     redraw(drawing, [
       svg('rect', {class: 'ground', x: 0, y: 0, width, height, 'data-grip': 'playhead'}),
-      ...drawRuler(motion, axis, width, height),
+      ...drawRuler(motion, axis, width, height, unit),
       ...motions.map((one) =>
         drawLane(one, axis, width, top(one), one.handle === active, motions.length > 1),
       ),
       ...drawContacts(motion, marks.contacts, axis, width, top(motion)),
-      ...drawLoop(),
       playhead,
+      ...drawLoop(),
       ...drawMarks(motion, marks, axis, width, kRulerHeight + kMarksHeight / 2),
     ]);
     playhead.replaceChildren(

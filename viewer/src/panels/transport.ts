@@ -107,8 +107,8 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
   byId('time').append(
     el('div', {class: 'transport'}, [
       el('div', {class: 'group'}, [first, back, play, forward, last, repeat]),
-      el('div', {class: 'group'}, [makeFrameField(store), readout, others]),
-      el('div', {class: 'group end'}, [previousMark, nextMark, makeSpeedField(store), warp]),
+      el('div', {class: 'group'}, [makeFrameField(store), readout, others, previousMark, nextMark]),
+      el('div', {class: 'group end'}, [makeSpeedField(store), warp]),
     ]),
   );
 
@@ -124,6 +124,7 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     const motion = activeMotion(state);
     byId('time').hidden = motion === undefined;
     if (motion === undefined) return;
+    warp.disabled = motion.document.time.is_still;
     const frame = shownFrame(motion, state.seconds);
     readout.textContent = `${(state.seconds - motion.offset).toFixed(3)} s`;
     others.textContent = otherNumbers(motion, frame);

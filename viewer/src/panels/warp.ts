@@ -169,6 +169,7 @@ export function makeWarpEditor(
   const draw = () => {
     const motion = activeMotion(store.state);
     editor.hidden = !store.state.isWarping || motion === undefined;
+    document.body.classList.toggle('is-warping', !editor.hidden);
     if (editor.hidden || motion === undefined) return;
     if (selected >= warping.keys.length) selected = -1;
     drawWarpMap(drawing, mapOf(motion), axis, playhead);

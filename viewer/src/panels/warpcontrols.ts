@@ -5,9 +5,10 @@ import type {Actions} from '../actions.ts';
 import {type Core, isFailure} from '../core/core.ts';
 import type {OptionInfo} from '../core/types.ts';
 import {el, offerFile} from '../elements.ts';
+import {notify} from '../notify.ts';
 import {activeMotion, type Store} from '../state.ts';
 import {t, translated, type Word} from '../words.ts';
-import {iconButton, titled} from './icons.ts';
+import {type Icon, iconButton, titled} from './icons.ts';
 import type {Warping} from './warping.ts';
 import {commandOf, type Key, numberText, warpedName, wordsWith} from './warpwords.ts';
 
@@ -39,7 +40,7 @@ const wordOf = (name: string): string => name.replaceAll('-', '_');
 async function copy(text: string, store: Store): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
-    store.set({message: t('copied', text)});
+    notify(store, t('copied', text));
   } catch {
     store.set({message: text}); // to be copied by hand
   }
@@ -74,6 +75,14 @@ export function makeWarpControls(
   const removeKey = iconButton('bin', keyActions.remove);
   const close = iconButton('close', () => store.set({isWarping: false}), {class: 'plain'});
   const addKey = action('warp_add', keyActions.add);
+  const iconAction = (name: Icon, word: Word, run: () => void) => {
+    const made = iconButton(name, run, {class: word});
+    made.append(labelled(el('span', {class: 'wide'}), word));
+    store.on(['language'], () => titled(made, t(word)));
+    return made;
+  };
+  const copyButton = iconAction('copy', 'warp_copy', () => copyCommand());
+  const saveButton = iconAction('save', 'warp_save', () => save());
   const numbers = {from: el('input'), to: el('input')};
   for (const field of [numbers.from, numbers.to]) {
     Object.assign(field, {type: 'number', step: 'any', min: '0', className: 'key-number'});
@@ -145,7 +154,7 @@ export function makeWarpControls(
     const field = makeField(option);
     field.dataset.option = option.name;
     controls.push({option, field});
-    const label = el('span');
+    const label = el('span', {class: option.name === 'tail' ? 'wide' : ''});
     const isFirst = option.name === 'tail';
     (isFirst ? options : moreOptions).append(el('label', {}, [label, field]));
     store.on(['language'], () => {
@@ -215,13 +224,7 @@ export function makeWarpControls(
       keyNumbers,
       options,
       more,
-      el('span', {class: 'group end'}, [
-        undo,
-        redo,
-        action('warp_copy', copyCommand),
-        action('warp_save', save),
-        close,
-      ]),
+      el('span', {class: 'group end'}, [undo, redo, copyButton, saveButton, close]),
     ]),
     foot: el('div', {class: 'warp-foot'}, [hint, fault]),
     show,

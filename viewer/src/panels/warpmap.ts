@@ -11,6 +11,8 @@ const kBottom = 18;
 /** Labels stay so many pixels apart. */
 const kAcross = 80;
 const kUp = 34;
+/** The name of what keeps the curve off the labels when the time is zoomed. */
+const kClip = 'warp-clip';
 
 /** What is drawn. */
 export interface WarpMap {
@@ -139,16 +141,24 @@ export function drawWarpMap(
     svg('rect', {class: 'ground', x: 0, y: 0, width, height, 'data-grip': 'ground'}),
     ...grid(map, axis, scale, width, height),
     svg('text', {class: 'label name', x: 4, y: 10}, [t('warp_old')]),
+    svg('text', {class: 'label name', x: 4, y: height - 5}, [t('warp_new')]),
+    svg('clipPath', {id: kClip}, [
+      svg('rect', {x: kLeft - 2, y: 0, width: Math.max(0, width - kLeft), height}),
+    ]),
     svg('path', {
       class: 'diagonal',
+      'clip-path': `url(#${kClip})`,
       d: `M${scale.x(0)} ${scale.y(0)}L${scale.x(end)} ${scale.y(end)}`,
     }),
     svg('path', {
       class: map.isRefused ? 'curve refused' : 'curve',
       d: curve(map, scale, width),
       stroke: map.motion.colour,
+      'clip-path': `url(#${kClip})`,
     }),
     playhead,
-    ...map.keys.map((key, index) => keyHandle(map, scale, key, index)),
+    ...map.keys.flatMap((key, index) =>
+      scale.x(key.to) < kLeft - 1 ? [] : [keyHandle(map, scale, key, index)],
+    ),
   ]);
 }

@@ -1,0 +1,545 @@
+// SPDX-License-Identifier: MIT
+// The timeline, the time warp, keys, address, files, layout.
+import assert from 'node:assert/strict';
+import {existsSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {data, drop, launch, openPage, out, page, phone} from './browser.mjs';
+import {carryingPage, fileOf, smallAmc, smallAsf, smallBvh} from './motions.mjs';
+
+const kSmall = {viewport: {width: 900, height: 620}, reducedMotion: 'reduce'};
+const bvh = fileOf('small.bvh', smallBvh());
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** A page with files open; it is closed, and must have had no faults, after the test. */
+async function withPage(t, files, options = {}, file = page, hash = '') {
+  const opened = await openPage(browser, {...kSmall, ...options}, file, hash);
+  t.after(() => opened.context.close());
+  const {tab} = opened;
+  if (files.length > 0) {
+    await drop(tab, files);
+    await tab.waitForSelector('.motion');
+  }
+  return opened;
+}
+
+const frameOf = (tab) => tab.inputValue('#frame').then(Number);
+const textOf = (tab, selector) => tab.textContent(selector);
+const count = (tab, selector) => tab.locator(selector).count();
+const waitFrame = (tab, frame) =>
+  tab.waitForFunction((wanted) => document.querySelector('#frame').value === wanted, `${frame}`);
+const waitText = (tab, selector, wanted) =>
+  tab.waitForFunction(
+    ([where, text]) => document.querySelector(where)?.textContent.includes(text),
+    [selector, wanted],
+  );
+const waitHash = (tab, part) => tab.waitForFunction((text) => location.hash.includes(text), part);
+const press = (tab, ...keys) =>
+  keys.reduce((done, key) => done.then(() => tab.keyboard.press(key)), Promise.resolve());
+const lastFrame = (tab) => textOf(tab, '.frame-field .last').then((text) => Number(text.slice(1)));
+
+/** Where an element of a drawing is, in the window. */
+async function middleOf(tab, selector) {
+  const box = await tab.locator(selector).first().boundingBox();
+  return {x: box.x + box.width / 2, y: box.y + box.height / 2};
+}
+
+async function drag(tab, selector, right, down = 0) {
+  const {x, y} = await middleOf(tab, selector);
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  await tab.mouse.move(x + right / 2, y + down / 2);
+  await tab.mouse.move(x + right, y + down);
+  await tab.mouse.up();
+}
+
+/** The editor open, with a key at frame 50. */
+async function withKey(tab) {
+  await tab.click('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 2);
+  await tab.fill('#frame', '50');
+  await press(tab, 'Enter');
+  await tab.click('.warp_add');
+  await tab.waitForSelector('.key');
+}
+
+test('frames: keys, field, scrubbing', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  await press(tab, 'ArrowRight', 'ArrowRight', 'ArrowLeft');
+  assert.equal(await frameOf(tab), 1);
+  await press(tab, 'Shift+ArrowRight');
+  assert.equal(await frameOf(tab), 11);
+  await press(tab, 'Shift+ArrowLeft');
+  assert.equal(await frameOf(tab), 1);
+  await press(tab, 'End');
+  assert.equal(await frameOf(tab), 119);
+  await press(tab, 'Home');
+  assert.equal(await frameOf(tab), 0);
+  await press(tab, 'f');
+  await tab.keyboard.type('73');
+  await press(tab, 'Enter');
+  assert.equal(await frameOf(tab), 73);
+  assert.equal(await textOf(tab, '.readout'), '1.460 s');
+  await press(tab, 'f');
+  await tab.keyboard.type('lg');
+  await press(tab, 'Escape');
+  assert.equal(await frameOf(tab), 73, 'what is typed is no shortcut, and is no frame');
+  const box = await tab.locator('.track').boundingBox();
+  await tab.mouse.click(box.x + box.width / 2, box.y + 20);
+  const middle = await frameOf(tab);
+  assert.ok(middle > 50 && middle < 75, `a click in the middle went to ${middle}`);
+  await tab.locator('.track .playhead').focus();
+  await press(tab, 'ArrowRight');
+  assert.equal(await frameOf(tab), middle + 1, 'the playhead is a slider, moved once a key');
+  assert.deepEqual(faults, []);
+});
+
+test('playing: space, speed, repeat, range', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  await press(tab, 'Space');
+  await tab.waitForFunction(() => document.querySelector('#frame').value !== '0');
+  assert.equal(await tab.getAttribute('.play', 'aria-label'), 'Pause');
+  await press(tab, 'Space');
+  assert.equal(await tab.getAttribute('.play', 'aria-label'), 'Play');
+  await tab.click('.play');
+  await press(tab, 'Space');
+  assert.equal(await tab.getAttribute('.play', 'aria-label'), 'Play', 'after a click, too');
+
+  await press(tab, '[');
+  assert.equal(await tab.inputValue('#speed'), '0.75');
+  await press(tab, ']', ']');
+  assert.equal(await tab.inputValue('#speed'), '1.5');
+  for (let i = 0; i < 9; i++) await press(tab, ']');
+  assert.equal(await tab.inputValue('#speed'), '4');
+
+  await press(tab, 'l');
+  await press(tab, 'End', 'ArrowLeft', 'ArrowLeft', 'Space');
+  await tab.waitForFunction(
+    () => document.querySelector('.play').getAttribute('aria-label') === 'Play',
+  );
+  assert.equal(await frameOf(tab), 119, 'without repeat it stops at the end');
+
+  await press(tab, 'Home', 'Shift+ArrowRight', 'Shift+ArrowRight', 'i');
+  assert.equal(await tab.getAttribute('[data-grip="loop:begin"]', 'aria-valuetext'), '0.400 s');
+  await press(tab, 'Shift+ArrowRight', 'o');
+  assert.equal(await tab.getAttribute('[data-grip="loop:end"]', 'aria-valuetext'), '0.600 s');
+  await drag(tab, '[data-grip="loop:end"]', 60);
+  const end = Number.parseFloat(await tab.getAttribute('[data-grip="loop:end"]', 'aria-valuetext'));
+  assert.ok(end > 0.65 && Math.abs(end / 0.02 - Math.round(end / 0.02)) < 1e-6, `${end}`);
+  await tab.locator('[data-grip="loop:end"]').focus();
+  await press(tab, 'ArrowLeft');
+  const nudged = await tab.getAttribute('[data-grip="loop:end"]', 'aria-valuetext');
+  assert.equal(nudged, `${(end - 0.02).toFixed(3)} s`);
+  await press(tab, 'Shift+l');
+  assert.equal(await tab.getAttribute('[data-grip="loop:begin"]', 'aria-valuetext'), '0.000 s');
+  assert.deepEqual(faults, []);
+});
+
+test('views and what is shown: each key', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  for (const [key, camera] of [
+    ['2', 'front'],
+    ['3', 'side'],
+    ['4', 'top'],
+    ['5', 'follow'],
+  ]) {
+    await press(tab, key);
+    await waitHash(tab, `camera=${camera}`);
+  }
+  await press(tab, '1');
+  await tab.waitForFunction(() => !location.hash.includes('camera'));
+  await press(tab, '0');
+  for (const [key, name] of [
+    ['g', 'Ghosts'],
+    ['p', 'Paths'],
+    ['c', 'Ground contacts'],
+    ['a', 'Axes'],
+  ]) {
+    await press(tab, key);
+    await waitText(tab, '#status', `${name}: on`);
+    await press(tab, key);
+    await waitText(tab, '#status', `${name}: off`);
+  }
+  await press(tab, 'n');
+  await waitText(tab, '#status', 'Names: off');
+  await press(tab, 'h');
+  assert.equal(await tab.isVisible('#time'), false);
+  assert.equal(await tab.isVisible('#side'), false);
+  await press(tab, 'h');
+  assert.equal(await tab.isVisible('#time'), true);
+  await press(tab, '?');
+  assert.equal(await tab.isVisible('#help'), true);
+  await tab.screenshot({path: join(out, 'timeline-help.png')});
+  assert.match(await textOf(tab, '#help'), /kinefile \d+\.\d+\.\d+/);
+  assert.match(await textOf(tab, '#help'), /2010-2026 three\.js authors/);
+  assert.match(await textOf(tab, '#help'), /Leon Sorokin/);
+  await press(tab, 'ArrowRight');
+  assert.equal(await frameOf(tab), 0, 'keys do nothing behind the help');
+  await press(tab, 'Escape');
+  assert.equal(await tab.isVisible('#help'), false);
+  await tab.click('.help-button');
+  await press(tab, '?');
+  assert.equal(await tab.isVisible('#help'), false);
+  assert.deepEqual(faults, []);
+});
+
+test('time warp: a dragged key changes the frames, and one undo takes the drag back', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  await withKey(tab);
+  const colours = await tab.$$eval('.motion .swatch', (all) =>
+    all.map((one) => one.style.background),
+  );
+  assert.deepEqual(colours, ['rgb(242, 183, 5)', 'rgb(61, 139, 255)']);
+  assert.equal(await textOf(tab, '.key title'), '50 → 50');
+  await drag(tab, '.key .diamond', 80);
+  await tab.waitForFunction(
+    () => document.querySelector('.readout.others').textContent === 'source 50',
+  );
+  const title = await textOf(tab, '.key title');
+  const moved = Number(title.split('→')[1]);
+  assert.ok(title.startsWith('50 → ') && moved > 55 && Number.isInteger(moved), title);
+  await waitFrame(tab, moved);
+  await waitText(tab, '.motion.active', 'time warp');
+  await tab.fill('#frame', '1');
+  await press(tab, 'Enter');
+  await waitText(tab, '.readout.others', `source ${Math.round((50 / moved) * 1000) / 1000}`);
+  await tab.screenshot({path: join(out, 'timeline-warp.png')});
+
+  await press(tab, 'u');
+  await waitText(tab, '.key title', '50 → 50');
+  await press(tab, 'Shift+u');
+  await waitText(tab, '.key title', `50 → ${moved}`);
+  await press(tab, 'Control+z');
+  await waitText(tab, '.key title', '50 → 50');
+  await press(tab, 'Control+Shift+z');
+  await waitText(tab, '.key title', `50 → ${moved}`);
+  await press(tab, 'm');
+  await tab.waitForFunction(() => document.querySelectorAll('.key').length === 0);
+  await press(tab, 'm');
+  await waitText(tab, '.key title', `50 → ${moved}`);
+  await press(tab, 'Escape');
+  assert.equal(await tab.isVisible('.warp'), false);
+  await press(tab, 'w');
+  assert.equal(await tab.isVisible('.warp'), true);
+  assert.equal(await count(tab, '.motion'), 2, 'the original is opened only once');
+  assert.deepEqual(faults, []);
+});
+
+test('time warp: keys by keyboard and numbers, tails, refusals, command, saving', async (t) => {
+  const {tab, context, faults} = await withPage(t, [bvh]);
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await withKey(tab);
+  await tab.locator('.key').focus();
+  await press(tab, 'ArrowRight');
+  await waitText(tab, '.key title', '50 → 51');
+  await press(tab, 'Shift+ArrowRight');
+  await waitText(tab, '.key title', '50 → 61');
+  await press(tab, 'ArrowUp');
+  await waitText(tab, '.key title', '51 → 61');
+  assert.equal(await tab.locator('.key').evaluate((key) => key === document.activeElement), true);
+  await tab.fill('.key-number >> nth=0', '50');
+  await tab.fill('.key-number >> nth=1', '60');
+  await press(tab, 'Enter');
+  await waitText(tab, '.key title', '50 → 60');
+  assert.equal(await lastFrame(tab), 119);
+  await tab.selectOption('[data-option="tail"]', 'extend');
+  await waitText(tab, '.frame-field .last', '129');
+  await tab.click('.warp-more summary');
+  await tab.fill('[data-option="ease"]', 'wobbly');
+  await press(tab, 'Enter');
+  await waitText(tab, '.warp-fault', 'expected an ease such as smooth');
+  assert.equal(await lastFrame(tab), 129, 'the last good warp is kept');
+  await tab.fill('[data-option="ease"]', 'smooth');
+  await press(tab, 'Enter');
+  await tab.waitForSelector('.warp-fault', {state: 'hidden'});
+  await tab.fill('[data-option="ease"]', '');
+  await press(tab, 'Enter');
+  await tab.click('.warp-more summary');
+
+  // A second key, dragged to before the first: the core's sentence is shown.
+  const map = await tab.locator('.warp-map').boundingBox();
+  await tab.mouse.dblclick(map.x + map.width * 0.8, map.y + 20);
+  await tab.waitForFunction(() => document.querySelectorAll('.key').length === 2);
+  const second = await tab.locator('.key title').nth(1).textContent();
+  await tab.fill('.key-number >> nth=0', '30');
+  await press(tab, 'Enter');
+  await waitText(tab, '.warp-fault', 'runs backwards');
+  assert.match(await tab.getAttribute('.warp-map .curve', 'class'), /refused/);
+  await tab.screenshot({path: join(out, 'timeline-refused.png')});
+  await tab.locator('.key').nth(1).focus();
+  await press(tab, 'Delete');
+  await tab.waitForFunction(() => document.querySelectorAll('.key').length === 1);
+  await tab.waitForSelector('.warp-fault', {state: 'hidden'});
+  assert.match(second, /→/);
+
+  await tab.click('.warp_copy');
+  await waitText(tab, '#status', 'Copied');
+  assert.equal(
+    await tab.evaluate(() => navigator.clipboard.readText()),
+    'kinefile warp small.bvh --tail extend --key 50:60 -o small_warped.bvh',
+  );
+  const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('.warp_save')]);
+  assert.equal(download.suggestedFilename(), 'small_warped.bvh');
+  assert.match(readFileSync(await download.path(), 'utf8'), /^Frames: 130$/m);
+  assert.deepEqual(faults, []);
+});
+
+test('several motions: offsets by drag and by number, next motion, placement, closing', async (t) => {
+  const other = fileOf('other.bvh', smallBvh(60));
+  const {tab, faults} = await withPage(t, [bvh, other]);
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 2);
+  await waitText(tab, '.motion.active', 'other.bvh');
+  await press(tab, 'm');
+  await waitText(tab, '.motion.active', 'small.bvh');
+  const lane = '.lane:not(.active)';
+  await drag(tab, lane, 100);
+  await waitText(tab, '.motion.active', 'other.bvh');
+  const offset = Number(await tab.inputValue('.motion.active .offset'));
+  assert.ok(
+    offset > 0.1 && Math.abs(offset / 0.02 - Math.round(offset / 0.02)) < 1e-6,
+    `${offset}`,
+  );
+  await tab.fill('.motion.active .offset', '0.5');
+  await press(tab, 'Enter');
+  await tab.waitForFunction(
+    () => document.querySelector('.lane.active').getAttribute('aria-valuetext') === '0.500 s',
+  );
+  await tab.locator('.lane.active').focus();
+  await press(tab, 'ArrowRight');
+  assert.equal(await tab.getAttribute('.lane.active', 'aria-valuetext'), '0.520 s');
+  await tab.selectOption('#placement', 'beside');
+  await tab.click('[aria-label="Hide other.bvh"]');
+  await tab.waitForSelector('[aria-label="Show other.bvh"]');
+  await tab.click('[aria-label="Close other.bvh"]');
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
+  assert.equal(await count(tab, '#placement'), 0);
+  assert.deepEqual(faults, []);
+});
+
+test('companions and marks: an AMC waits for its ASF; a limit is marked', async (t) => {
+  const asf = fileOf('small.asf', smallAsf);
+  const amc = fileOf('small.amc', smallAmc([0, 5, 10, 30, 10, 0]));
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [amc]);
+  await waitText(tab, '#files', 'expected the .asf file of this motion');
+  assert.equal(await tab.isVisible('#empty'), true);
+  await tab.screenshot({path: join(out, 'timeline-waiting.png')});
+  await drop(tab, [asf]);
+  await tab.waitForSelector('.motion');
+  assert.equal(await tab.isVisible('#files'), false);
+  assert.equal(await textOf(tab, '.readout.others'), 'in the file 1');
+  await tab.waitForSelector('.mark.above');
+  await tab.hover('.mark.above');
+  await waitText(tab, '.mark-note', "joint 'arm' goes up to 30");
+  await tab.click('.mark.above');
+  assert.equal(await frameOf(tab), 3);
+  await waitHash(tab, 'joint=arm');
+  await press(tab, 'Home', '.');
+  assert.equal(await frameOf(tab), 3);
+  await press(tab, 'End', ',');
+  assert.equal(await frameOf(tab), 3);
+  await tab.click('.unit');
+  await waitText(tab, '.track', '0.02 s');
+  assert.deepEqual(faults, []);
+});
+
+test('a file that is not valid shows its message, a file of another kind its name', async (t) => {
+  const bad = fileOf('bad.bvh', 'HIERARCHY\nROOT a\n{\n  OFFSET 0 0\n');
+  const notes = fileOf('notes.md', '# nothing that moves\n');
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [bad, notes]);
+  await waitText(tab, '.file.fault', 'bad.bvh:5: expected 3 numbers after OFFSET');
+  await waitText(tab, '#files', 'BVH002');
+  await waitText(tab, '#files', 'notes.md');
+  await tab.click('.file.fault [aria-label="Dismiss"]');
+  await tab.waitForSelector('.file.fault', {state: 'detached'});
+  assert.deepEqual(faults, []);
+});
+
+test('names with markup are text', async (t) => {
+  const name = '<img src=x onerror=alert(1)>';
+  const hostile = fileOf('<img src=x onerror=alert(1)>.bvh', smallBvh(20, ['Hips', name, 'Head']));
+  const bad = fileOf('<b>bad.bvh', `HIERARCHY\nROOT ${name}\n{\n`);
+  const {tab, faults} = await withPage(t, [hostile, bad]);
+  let alerts = 0;
+  tab.on('dialog', (dialog) => {
+    alerts += 1;
+    dialog.dismiss();
+  });
+  await waitText(tab, '.motion .name', name);
+  await waitText(tab, '#files', '<b>bad.bvh');
+  await tab.click('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
+  await waitText(tab, '.warp-title', name);
+  assert.equal(await tab.evaluate(() => document.querySelectorAll('img, #files b b').length), 0);
+  assert.equal(alerts, 0);
+  assert.deepEqual(faults, []);
+});
+
+test('the address holds frame, view, motion, joint, panel, and is restored', async (t) => {
+  const carried = carryingPage(
+    'carrying.html',
+    [
+      {path: 'a.bvh', text: smallBvh()},
+      {path: 'b.bvh', text: smallBvh(60)},
+    ],
+    [{path: 'a.bvh'}, {path: 'b.bvh'}],
+  );
+  const address = '#frame=31&camera=side&motion=2&joint=Head&panel=curves';
+  const {tab, faults} = await withPage(t, [], {}, carried, address);
+  await waitText(tab, '.motion.active', 'b.bvh');
+  await waitFrame(tab, 31);
+  await press(tab, 'ArrowRight');
+  await waitHash(tab, 'frame=32');
+  assert.equal(
+    await tab.evaluate(() => location.hash),
+    '#frame=32&camera=side&motion=2&joint=Head&panel=curves',
+  );
+  await press(tab, 'Space');
+  await tab.waitForFunction(() => document.querySelector('#frame').value !== '32');
+  assert.match(await tab.evaluate(() => location.hash), /frame=32/, 'not while it plays');
+  await press(tab, 'Space');
+  await tab.evaluate(() => {
+    location.hash = '#frame=5&motion=1';
+  });
+  await waitText(tab, '.motion.active', 'a.bvh');
+  await waitFrame(tab, 5);
+  assert.deepEqual(faults, []);
+});
+
+test('both languages; the choice is kept', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh], {locale: 'de-DE'});
+  await waitText(tab, '#top', 'Open files');
+  await tab.selectOption('#language', 'ja');
+  await waitText(tab, '#top', 'ファイルを開く');
+  assert.equal(await tab.getAttribute('html', 'lang'), 'ja');
+  assert.equal(await tab.getAttribute('.play', 'aria-label'), '再生');
+  await tab.click('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
+  await waitText(tab, '.warp_add', 'キーを追加');
+  await tab.screenshot({path: join(out, 'timeline-japanese.png')});
+  await press(tab, '?');
+  await waitText(tab, '#help', '10フレーム進む');
+  await tab.screenshot({path: join(out, 'timeline-help-japanese.png')});
+  await tab.reload();
+  await waitText(tab, '#empty', 'モーションを見る');
+  assert.deepEqual(faults, []);
+});
+
+test('every word is there in both languages', () => {
+  for (const area of ['common', 'timeline', 'scene', 'panels']) {
+    const words = (language) =>
+      JSON.parse(readFileSync(new URL(`../src/words/${area}.${language}.json`, import.meta.url)));
+    const [en, ja] = [words('en'), words('ja')];
+    assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort(), area);
+    for (const [word, text] of Object.entries(ja)) {
+      assert.equal((text.match(/\{\d\}/g) ?? []).length, (en[word].match(/\{\d\}/g) ?? []).length);
+    }
+  }
+});
+
+/** The contrast of a text with the first ground below it that is not transparent. */
+const contrastOf = (tab, selector) =>
+  tab.$eval(selector, (element) => {
+    const parts = (text) => text.match(/[\d.]+/g).map(Number);
+    const light = ([r, g, b]) => {
+      const linear = [r, g, b].map((part) => {
+        const value = part / 255;
+        return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+      });
+      return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+    };
+    const style = getComputedStyle(element);
+    const text = light(parts(element instanceof SVGElement ? style.fill : style.color));
+    let below = element;
+    let ground = [0, 0, 0, 0];
+    while (below !== null && ground.length === 4 && ground[3] < 0.5) {
+      ground = parts(getComputedStyle(below).backgroundColor);
+      below = below.parentElement;
+    }
+    const behind = light(ground);
+    return (Math.max(text, behind) + 0.05) / (Math.min(text, behind) + 0.05);
+  });
+
+for (const colorScheme of ['dark', 'light']) {
+  test(`contrast and looks: ${colorScheme}`, async (t) => {
+    const options = {colorScheme, viewport: {width: 1280, height: 720}};
+    const {tab, faults} = await withPage(t, [], options);
+    await tab.waitForSelector('#empty .formats li');
+    await tab.screenshot({path: join(out, `timeline-empty-${colorScheme}.png`)});
+    for (const selector of ['#empty h2', '#empty .faint', '#empty .primary']) {
+      const contrast = await contrastOf(tab, selector);
+      assert.ok(contrast >= 4.5, `${selector}: ${contrast}`);
+    }
+    await drop(tab, [bvh]);
+    await tab.waitForSelector('.motion');
+    await withKey(tab);
+    await tab.screenshot({path: join(out, `timeline-${colorScheme}.png`)});
+    for (const selector of ['.track .label', '.warp-title', '.readout', '.motion .name', '.unit']) {
+      const contrast = await contrastOf(tab, selector);
+      assert.ok(contrast >= 4.5, `${selector}: ${contrast}`);
+    }
+    assert.deepEqual(faults, []);
+  });
+}
+
+test('a phone: nothing is wider than the screen, all works by touch', async (t) => {
+  const {tab, faults} = await withPage(t, [], {...phone, locale: 'en-GB'});
+  const fits = async (what) => {
+    const [scroll, client] = await tab.evaluate(() => {
+      const {scrollWidth, clientWidth} = document.documentElement;
+      return [scrollWidth, clientWidth];
+    });
+    assert.ok(scroll <= client && client === 390, `${what}: ${scroll} in ${client}`);
+    const outside = await tab.$$eval('body *', (all) =>
+      all
+        .filter((one) => one.closest('[hidden], svg, dialog, #views') === null)
+        .filter((one) => one.getBoundingClientRect().right > 390.5)
+        .map((one) => one.id || one.className),
+    );
+    assert.deepEqual(outside, [], what);
+  };
+  await tab.waitForSelector('#empty .formats li');
+  await fits('empty');
+  await tab.screenshot({path: join(out, 'timeline-phone-empty.png')});
+  await drop(tab, [bvh], 100, 300);
+  await tab.waitForSelector('.motion');
+  assert.equal(await tab.isVisible('#side'), false);
+  await fits('one motion');
+  await tab.screenshot({path: join(out, 'timeline-phone.png')});
+  const box = await tab.locator('.track').boundingBox();
+  await tab.touchscreen.tap(box.x + box.width / 2, box.y + 20);
+  assert.ok((await frameOf(tab)) > 40);
+  await tab.tap('#side-toggle');
+  assert.equal(await tab.isVisible('#side'), true);
+  await fits('with the panel');
+  await tab.tap('#side-toggle');
+  await tab.tap('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
+  await tab.tap('.warp_add');
+  await tab.waitForSelector('.key');
+  await fits('time warp');
+  await tab.screenshot({path: join(out, 'timeline-phone-warp.png')});
+  await tab.tap('.help-button');
+  await tab.waitForSelector('#help[open]');
+  const wide = await tab.$eval('#help', (help) => help.scrollWidth - help.clientWidth);
+  assert.ok(wide <= 0, `the help is ${wide} pixels too wide`);
+  await tab.screenshot({path: join(out, 'timeline-phone-help.png')});
+  assert.deepEqual(faults, []);
+});
+
+test('a real capture: marks, contacts, long ruler', async (t) => {
+  const folder = join(data, 'acclaim/cmu');
+  if (!existsSync(folder)) return t.skip('no real files here');
+  const files = [join(folder, '01_01.amc'), join(folder, '01.asf')];
+  const {tab, faults} = await withPage(t, files, {colorScheme: 'dark'});
+  await tab.waitForSelector('.mark');
+  await tab.waitForSelector('.contact', {state: 'attached'});
+  await tab.screenshot({path: join(out, 'timeline-capture.png')});
+  assert.deepEqual(faults, []);
+});

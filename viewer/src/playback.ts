@@ -11,9 +11,13 @@ export const kSpeeds = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4];
 /** Playing from the end starts at the beginning. */
 const kAtEnd = 1e-6;
 
-/** The range that plays: the loop if there is one, otherwise everything. */
-export const playedRange = (store: Store): [number, number] =>
-  store.state.loop ?? wholeRange(store.state);
+/** The range that plays: what there is of the loop, otherwise everything. */
+export function playedRange({state}: Store): [number, number] {
+  const [first, last] = wholeRange(state);
+  const [begin, end] = state.loop ?? [first, last];
+  const isThere = begin < last && end > first;
+  return isThere ? [Math.max(first, begin), Math.min(last, end)] : [first, last];
+}
 
 /** Lets time run while the page plays. */
 export function runPlayback(store: Store): void {

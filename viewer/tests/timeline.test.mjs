@@ -525,6 +525,20 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.waitForSelector('.key');
   await fits('time warp');
   await tab.screenshot({path: join(out, 'timeline-phone-warp.png')});
+  const {x, y} = await middleOf(tab, '.key .diamond');
+  const session = await tab.context().newCDPSession(tab);
+  const touch = (type, ...touchPoints) =>
+    session.send('Input.dispatchTouchEvent', {type, touchPoints});
+  await touch('touchStart', {x, y});
+  await touch('touchMove', {x: x + 30, y});
+  await touch('touchMove', {x: x + 60, y});
+  await touch('touchEnd');
+  await tab.waitForFunction(() => {
+    const [from, to] = document.querySelector('.key title').textContent.split(' → ').map(Number);
+    return to > from + 5;
+  });
+  await fits('after a drag');
+  await tab.screenshot({path: join(out, 'timeline-phone-warped.png')});
   await tab.tap('.help-button');
   await tab.waitForSelector('#help[open]');
   const wide = await tab.$eval('#help', (help) => help.scrollWidth - help.clientWidth);

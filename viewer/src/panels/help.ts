@@ -56,11 +56,11 @@ export function makeHelp(store: Store, version: string, shortcuts: () => Shortcu
           iconButton('close', () => dialog.close(), {title: t('close')}),
         ]),
         el('div', {class: 'columns'}, [
-          el('section', {}, [
+          el('section', {class: 'keys'}, [
             el('h3', {}, [t('help_keys')]),
             el('table', {}, [el('tbody', {}, shortcuts().map(keyRow))]),
           ]),
-          el('section', {}, [
+          el('section', {class: 'gestures'}, [
             el('h3', {}, [t('help_gestures')]),
             el('table', {}, [el('tbody', {}, kGestures.map(gestureRow))]),
             el('h3', {}, [t('help_about')]),

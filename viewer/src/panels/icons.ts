@@ -11,8 +11,8 @@ const kPaths = {
   forward: 'M5.5 3.5v9l6-4.5z',
   last: 'M11 3h2v10h-2zM3 3v10l7-5z',
   repeat: 'M4 5h7V3l3.5 3L11 9V7H4v1H2V5zM12 11H5v2L1.5 10 5 7.5V9h7V8h2v3z',
-  previousMark: 'M9 3v4l4-4v10L9 9v4L3 8z',
-  nextMark: 'M7 3v4L3 3v10l4-4v4l6-5z',
+  previousMark: 'M1 8 5.5 4v8zM11 3.5l4.5 9h-9z',
+  nextMark: 'M15 8l-4.5-4v8zM5 3.5l4.5 9h-9z',
   warp: 'M2 13.5 5 10l5-1.5L14 2l-1-.6L9.4 7 4.4 8.6 1 12.6zM1.5 1v13.5H15v-1H2.5V1z',
   close: 'm4 2.9 4 4 4-4L13.1 4l-4 4 4 4-1.1 1.1-4-4-4 4L2.9 12l4-4-4-4z',
   shown:

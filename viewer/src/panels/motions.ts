@@ -83,6 +83,10 @@ export function makeMotionList(store: Store, actions: Actions): void {
     return el('label', {class: 'placement'}, [el('span', {}, [t('placement')]), field]);
   };
 
+  store.on(['motions'], ({motions}) => {
+    if (motions.length > 0) return;
+    store.set({loop: null, seconds: 0, isPlaying: false, isWarping: false});
+  });
   store.on(['motions', 'active', 'language'], ({motions}, changed) => {
     const focused = document.activeElement;
     const index = [...list.querySelectorAll('button, input, select')].indexOf(focused as Element);

@@ -157,8 +157,10 @@ export function makeWarpEditor(
     selected: () => selected,
     replace,
   });
-  const editor = el('section', {class: 'warp', hidden: true}, [controls.bar]);
-  editor.append(drawing, controls.foot);
+  const editor = el('section', {class: 'warp', hidden: true}, [
+    controls.bar,
+    el('div', {class: 'warp-holder'}, [drawing, controls.notes]),
+  ]);
   byId('time').append(editor);
 
   const movePlayhead = () => {

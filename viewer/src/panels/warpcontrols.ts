@@ -27,7 +27,8 @@ export interface KeyActions {
 
 export interface WarpControls {
   bar: HTMLElement;
-  foot: HTMLElement;
+  /** Lies over the map: a drag must not move the map. */
+  notes: HTMLElement;
   /** Shows what the warp is now. */
   show(): void;
 }
@@ -94,10 +95,10 @@ export function makeWarpControls(
     });
   }
   const keyNumbers = el('span', {class: 'key-numbers'}, [
-    labelled(el('span'), 'warp_old_frame'),
+    labelled(el('span', {class: 'wide'}), 'warp_old_frame'),
     numbers.from,
     '→',
-    labelled(el('span'), 'warp_new_frame'),
+    labelled(el('span', {class: 'wide'}), 'warp_new_frame'),
     numbers.to,
   ]);
   const options = el('span', {class: 'warp-options'});
@@ -226,7 +227,7 @@ export function makeWarpControls(
       more,
       el('span', {class: 'group end'}, [undo, redo, copyButton, saveButton, close]),
     ]),
-    foot: el('div', {class: 'warp-foot'}, [hint, fault]),
+    notes: el('div', {class: 'warp-notes'}, [hint, fault]),
     show,
   };
 }

@@ -40,6 +40,8 @@ export interface Cameras {
   zoom(factor: number): void;
   /** Another camera that looks the same way, for a picture of other proportions; it shows a box. */
   framed(box: THREE.Box3 | null, aspect: number): View;
+  /** Whether some of a box is in view. */
+  sees(box: THREE.Box3): boolean;
   /** How wide a box looks, relative to its height. */
   aspectOf(box: THREE.Box3): number;
 }
@@ -240,6 +242,14 @@ export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Ca
       }
       camera.updateMatrixWorld();
       return {camera, target: middle, halfHeight: half};
+    },
+    sees(box) {
+      current.updateMatrixWorld();
+      const all = new THREE.Matrix4().multiplyMatrices(
+        current.projectionMatrix,
+        current.matrixWorldInverse,
+      );
+      return new THREE.Frustum().setFromProjectionMatrix(all).intersectsBox(box);
     },
     aspectOf(box) {
       const corners = cornersOf(box, current);

@@ -88,6 +88,7 @@ export function makeFigure(document: Description, opacity = 1): Figure {
   const box = new THREE.Box3();
   let shown: FramePoses | null = null;
   let described = document;
+  let isResized = true;
   let size = 0;
   let selected = -1;
   let own = new THREE.Color();
@@ -139,13 +140,14 @@ export function makeFigure(document: Description, opacity = 1): Figure {
     },
     show(poses) {
       boxOfPoses(poses, box);
-      if (size === 0) size = sizeOf(described, box);
+      if (isResized) size = sizeOf(described, box);
+      isResized = false;
       shown = poses;
       update();
     },
     redescribe(given) {
       described = given;
-      size = 0;
+      isResized = true;
     },
     paint(colour, given) {
       own = new THREE.Color(colour);

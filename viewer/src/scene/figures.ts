@@ -31,6 +31,8 @@ export interface Figures {
   /** The box around all visible motions at all times, and that around what they show now. */
   wholeBox(out: THREE.Box3): THREE.Box3;
   presentBox(out: THREE.Box3): THREE.Box3;
+  /** The box of each visible figure now. */
+  boxes(): THREE.Box3[];
   /** The box around all visible figures in given poses, by the handles of their motions. */
   boxOf(poses: ReadonlyMap<number, FramePoses>): THREE.Box3;
   /** The height of the tallest visible figure, in metres. */
@@ -127,6 +129,10 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
       }
       return out;
     },
+    boxes: () =>
+      visible()
+        .filter(({figure}) => figure.shown !== null && !figure.box.isEmpty())
+        .map(({figure}) => figure.box.clone().applyMatrix4(figure.root.matrix)),
     boxOf(given) {
       const whole = new THREE.Box3();
       for (const {motion, figure} of visible()) {

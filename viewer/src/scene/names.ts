@@ -39,6 +39,10 @@ export function makeNames(
     label.style.top = `${Math.max(0, y)}px`;
   };
 
+  // What is under a resting pointer, or a finger that is gone, changes with the time and the view.
+  store.on(['seconds', 'camera', 'motions'], () => {
+    label.textContent = '';
+  });
   watchPointer(
     canvas,
     (place, reach) => {

@@ -57,7 +57,8 @@ export function makeStarts(poses: PoseCache, onArrival: () => void): Starts {
     of(motion) {
       const known = kept.get(motion.handle);
       if (known?.version === motion.version) return known.start;
-      const entry = {version: motion.version, start: null as THREE.Vector3 | null};
+      // Until the new one is there, that of before the change is as good.
+      const entry = {version: motion.version, start: known?.start ?? null};
       kept.set(motion.handle, entry);
       poses.wait(motion, 0).then((frame) => {
         if (frame === null || kept.get(motion.handle) !== entry) return;
@@ -66,7 +67,7 @@ export function makeStarts(poses: PoseCache, onArrival: () => void): Starts {
         entry.start = root.applyMatrix4(sceneFromFile(motion.document));
         onArrival();
       });
-      return null;
+      return entry.start;
     },
   };
 }

@@ -32,6 +32,8 @@ export interface Scene {
   offers: Offers;
   /** Moves everything to a time, as far as its poses are there. */
   update(seconds: number, given?: ReadonlyMap<number, FramePoses>): boolean;
+  /** Frames now what was to be framed with the next drawing. */
+  settle(): void;
   /**
    * Fits floor and light to a view whose picture has so many pixels of height.
    * \return the width of a cell of the grid, in metres
@@ -62,7 +64,7 @@ export function makeScene(
   let isWaiting = false;
   let isDirty = true;
   let isDrawing = false;
-  let mustFrame: 'no' | 'again' | 'anew' = 'anew';
+  let mustFrame: 'no' | 'new' | 'again' | 'anew' = 'anew';
   let lastDraw = 0;
 
   const request = () => {
@@ -88,7 +90,10 @@ export function makeScene(
     invalidate();
   });
   const offers = makeOffers(contacts);
-  const starts = makeStarts(poses, () => place());
+  const starts = makeStarts(poses, () => {
+    place();
+    if (!cameras.isMoved) frameAll();
+  });
   const scale = makeScale(canvas.parentElement!);
   const axes = makeAxes(layer());
   makeNames(canvas, store, figures, cameras);
@@ -150,7 +155,7 @@ export function makeScene(
     if (store.state.camera !== 'follow' || own?.figure.shown == null) return false;
     root.fromArray(own.figure.shown.positions, 0).applyMatrix4(own.figure.root.matrix);
     if (!Number.isFinite(root.x + root.y + root.z)) return false;
-    const elapsed = store.state.isPlaying ? Math.min(0.1, (now - lastDraw) / 1000) : null;
+    const elapsed = store.state.isPlaying ? (now - lastDraw) / 1000 : null;
     const target = cameras.target.clone();
     const isOnTheWay = follow(target, root, figures.size(), elapsed);
     if (target.distanceToSquared(cameras.target) > 0) cameras.moveTo(target);
@@ -166,7 +171,10 @@ export function makeScene(
   };
   const frameNow = () => {
     const isAnew = mustFrame === 'anew';
+    // A view that a person has chosen stays where a new motion is in it.
+    const isKept = mustFrame === 'new' && cameras.isMoved && figures.boxes().every(cameras.sees);
     mustFrame = 'no';
+    if (isKept) return;
     const motion = activeMotion(store.state);
     if (isAnew) cameras.setView(store.state.camera, facingOf(motion?.document), true);
     if (isAnew) stage.turnSun(facingOf(motion?.document));
@@ -204,7 +212,7 @@ export function makeScene(
     invalidate();
   };
   const frameAll = () => {
-    if (mustFrame === 'no') mustFrame = 'again';
+    if (mustFrame !== 'anew') mustFrame = 'again';
     invalidate();
   };
 
@@ -216,7 +224,7 @@ export function makeScene(
       [handle, placement, document.up.axis, document.unit.metres].join(),
     );
     const isKnown = now.every((text) => known.includes(`${text};`));
-    if (!isKnown) frameAll();
+    if (!isKnown && mustFrame === 'no') mustFrame = 'new';
     if (known === '' || (now.length === 1 && !isKnown)) mustFrame = 'anew';
     known = now.map((text) => `${text};`).join('');
     offers.update(store.state.motions, figures);
@@ -270,6 +278,9 @@ export function makeScene(
     frameAll,
     offers,
     update,
+    settle() {
+      if (mustFrame !== 'no') frameNow();
+    },
     prepare,
     framed,
     boxOfMoments(moments) {

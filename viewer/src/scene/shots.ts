@@ -56,6 +56,7 @@ export function shoot(
   renderer.setSize(width, height, false);
   const all = moments.map(({poses}) => poses);
   scene.update(moments[0]?.seconds ?? store.state.seconds, all[0]);
+  scene.settle();
   const box = frames === 'all' ? scene.boxOfMoments(all) : frames === 'own' ? scene.framed() : null;
   const view = scene.cameras.framed(box, width / height);
   moments.forEach(({seconds, poses}, index) => {

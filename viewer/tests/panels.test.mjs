@@ -229,7 +229,7 @@ test('curves of several motions lie over each other, in their colours', async ()
   const {tab, context, faults} = await opened(files, {colorScheme: 'dark'});
   await tab.click('.joint:has-text("Arm")');
   await openTab(tab, 'curves');
-  await isShown(tab, '.key', 'second.bvh x');
+  await isShown(tab, '.key', 'x second.bvh');
   assert.equal(await tab.locator('.key').count(), 6);
   const colours = await tab
     .locator('.key .line')
@@ -289,6 +289,21 @@ test('an operation is applied, refused, undone, removed, and its command copied'
   // The changed one stays the active one; the original is yellow.
   await isShown(tab, '.steps', 'loop=3');
   await shot(tab, 'edit_compare');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a parameter that names a file takes one of the files of the page', async () => {
+  const files = [writeBvh('before.bvh', 20), writeBvh('behind.bvh', 15)];
+  const {tab, context, faults} = await opened(files);
+  await isShown(tab, '#motions', 'behind.bvh');
+  await openTab(tab, 'edit');
+  await tab.click('.operation:has-text("append")');
+  await tab.selectOption('form [name="file"]', 'behind.bvh');
+  await tab.click('form button:has-text("Apply")');
+  await isShown(tab, '.steps', 'append=behind.bvh');
+  await openTab(tab, 'info');
+  assert.equal(await frames(tab), '35');
   assert.deepEqual(faults, []);
   await context.close();
 });
@@ -360,7 +375,7 @@ test('the file is read again with other options', async () => {
   await context.close();
 });
 
-test('a file at fault shows its messages as check does, and is repaired', async () => {
+test('a file at fault shows its messages as check does', async () => {
   const good = writeBvh('bad.bvh', 3, ['ヒップ', '<img/src=x/onerror=alert(1)>']);
   const text = readFileSync(good, 'utf8')
     .replace('JOINT', '関節 JOINT')
@@ -376,6 +391,60 @@ test('a file at fault shows its messages as check does, and is repaired', async 
   await tab.click('.diagnostic summary');
   await isShown(tab, '.diagnostic details[open]', 'Cause:');
   await shot(tab, 'check_fault');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a file is repaired and opened, and says what was repaired', async () => {
+  const path = writeBvh('repaired.bvh', 3);
+  writeFileSync(path, readFileSync(path, 'utf8').replace('    OFFSET 0 10 0\n    CH', '    CH'));
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'check');
+  await isShown(tab, '.diagnostic.error', 'BVH006');
+  await tab.click('button:has-text("Repair and open")');
+  await isShown(tab, '.diagnostic.warning', 'BVH006');
+  assert.equal(await tab.locator('.diagnostic.error').count(), 0);
+  await openTab(tab, 'info');
+  assert.equal(await tab.isChecked('[name="lenient"]'), true);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('what stands out in a motion is listed, and a click goes there', async () => {
+  const path = writeBvh('spike.bvh', 60);
+  const rows = readFileSync(path, 'utf8');
+  writeFileSync(path, rows.replace('\n30 90 0 0 0 0 60 0 0\n', '\n30 90 0 0 0 0 200 0 0\n'));
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'check');
+  await tab.click('.diagnostic:has-text("Arm") .go');
+  await shot(tab, 'marks');
+  await openTab(tab, 'joints');
+  await isShown(tab, '.readouts h2', 'frame 30');
+  assert.equal(await tab.locator('.joint[aria-selected="true"]').textContent(), 'Arm');
+  // After a step the frames are no longer those that the check of the file names.
+  await openTab(tab, 'edit');
+  await tab.click('.operation:has(b:text-is("reverse"))');
+  await tab.click('form button:has-text("Apply")');
+  await isShown(tab, '.steps', 'reverse');
+  await openTab(tab, 'check');
+  await tab.click('.mark:has-text("Arm")');
+  await openTab(tab, 'joints');
+  await isShown(tab, '.readouts h2', 'frame 29');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a flow of servo poses: its own operations, its robot and its servo map', async () => {
+  const names = ['robot.body', 'servos.yaml', 'wave.txt'];
+  const {tab, context, faults} = await opened(names.map((name) => join(examples, name)));
+  await openTab(tab, 'info');
+  await isShown(tab, '.facts', 'flow of servo poses');
+  assert.equal(await tab.inputValue('#companion-skeleton'), 'robot.body');
+  assert.equal(await tab.inputValue('#companion-servo_map'), 'servos.yaml');
+  await shot(tab, 'flow');
+  await openTab(tab, 'edit');
+  await isShown(tab, '.operation', 'offset=SLIDER:VALUE');
+  assert.equal(await tab.locator('.operation:has-text("trim")').count(), 0);
   assert.deepEqual(faults, []);
   await context.close();
 });

@@ -12,6 +12,10 @@ import {latestOnly} from './latest.ts';
 
 const kSeverities = ['error', 'warning', 'note'] as const;
 
+/** Whether a diagnostic says the same as a mark. */
+const isOf = (mark: Mark, {code, message}: Diagnostic): boolean =>
+  mark.code === code && mark.message === message;
+
 /** What decides the answer of a check: the file and how it is read, not what was done to it. */
 const readingOf = ({handle, document}: OpenMotion): string => {
   const {path, skeleton, servo_map, project, options} = document;
@@ -60,20 +64,29 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
   const section = (title: string, parts: (Node | string)[]): HTMLElement =>
     el('section', {}, [el('h2', {}, [title]), ...parts]);
 
-  const groups = (diagnostics: Diagnostic[]): HTMLElement[] =>
-    kSeverities.flatMap((severity) => {
+  const goTo = (mark: Mark) => {
+    store.set({joint: mark.joint});
+    goToFrame(store, mark.worst_frame);
+  };
+
+  /** Diagnostics by severity; those of a frame have a button that goes there. */
+  const groups = (diagnostics: Diagnostic[], found: Mark[]): HTMLElement[] => {
+    const going = (diagnostic: Diagnostic) => {
+      const mark = found.find((one) => isOf(one, diagnostic));
+      if (mark === undefined) return [];
+      return [button(t('go_to_frame', mark.worst_frame), () => goTo(mark), {class: 'go'})];
+    };
+    return kSeverities.flatMap((severity) => {
       const own = diagnostics.filter((one) => one.severity === severity);
       if (own.length === 0) return [];
-      return [section(`${t(`severity_${severity}s`)} (${own.length})`, diagnosticList(own))];
+      return [section(`${t(`severity_${severity}s`)} (${own.length})`, diagnosticList(own, going))];
     });
+  };
 
   const markRow = (motion: OpenMotion, mark: Mark): HTMLElement => {
     const place = `${t('frame')} ${mark.worst_frame}`;
     const joint = motion.document.joints[mark.joint]?.name ?? '';
-    const go = () => {
-      store.set({joint: mark.joint});
-      goToFrame(store, mark.worst_frame);
-    };
+    const go = () => goTo(mark);
     return el('li', {}, [
       el('button', {type: 'button', class: `mark ${mark.severity}`, on: {click: go}}, [
         el('span', {class: 'faint'}, [`${place}  ${joint}`]),
@@ -100,31 +113,35 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
       }),
     ]);
 
+  /** What the check says of a motion's file, and what stands out in the motion beside that. */
+  const partsOf = (motion: OpenMotion): HTMLElement[] => {
+    const found = checks.of(motion);
+    const standing = marks.of(motion) ?? [];
+    if (found === undefined) {
+      const waiting = el('p', {class: 'faint', attributes: {role: 'status'}}, [t('checking')]);
+      return [section(motion.title, [waiting])];
+    }
+    const isGood = found.every(({severity}) => severity === 'note');
+    // Frames that the check names are those of the file.
+    const ofFile = motion.steps.length === 0 ? standing : [];
+    const others = standing.filter(
+      (mark) => !ofFile.includes(mark) || !found.some((one) => isOf(mark, one)),
+    );
+    const title = `${t('stands_out')} (${others.length})`;
+    return [
+      section(motion.title, isGood ? [el('p', {}, [t('nothing_wrong')])] : []),
+      ...groups(found, ofFile),
+      ...(others.length > 0 ? [section(title, [markList(motion, others)])] : []),
+    ];
+  };
+
   const draw = (state: Readonly<State>) => {
     const motion = activeMotion(state);
     const parts = state.files.filter(({what}) => what === 'fault').map(fault);
     if (motion === undefined && parts.length === 0) {
       return root.replaceChildren(el('p', {class: 'empty'}, [t('no_motion')]));
     }
-    if (motion !== undefined) {
-      const found = checks.of(motion);
-      const standing = marks.of(motion);
-      parts.push(
-        section(
-          motion.title,
-          found === undefined
-            ? [el('p', {class: 'faint', attributes: {role: 'status'}}, [t('checking')])]
-            : found.length === 0
-              ? [el('p', {class: 'good'}, [t('nothing_wrong')])]
-              : [],
-        ),
-        ...groups(found ?? []),
-      );
-      if (standing !== undefined && standing.length > 0) {
-        const title = `${t('stands_out')} (${standing.length})`;
-        parts.push(section(title, [markList(motion, standing)]));
-      }
-    }
+    if (motion !== undefined) parts.push(...partsOf(motion));
     root.replaceChildren(...parts);
   };
 

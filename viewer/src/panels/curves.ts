@@ -100,7 +100,7 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
       const swatch = el('span', {class: dash.length > 0 ? 'line dashed' : 'line'});
       swatch.style.borderColor = colour;
       const label = labelOf(quantity);
-      const text = several ? `${motion.title} ${label}` : label;
+      const text = several ? `${label} ${motion.title}` : label;
       return el('span', {class: 'key', title: text}, [
         swatch,
         el('span', {class: 'text'}, [text]),

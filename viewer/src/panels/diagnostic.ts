@@ -57,7 +57,10 @@ function explanation(code: string): HTMLElement | null {
   ]);
 }
 
-function item(diagnostic: Diagnostic): HTMLElement {
+/** What else belongs to a message: a button that goes to its frame. */
+type Extra = (diagnostic: Diagnostic) => HTMLElement[];
+
+function item(diagnostic: Diagnostic, extra: Extra): HTMLElement {
   const {severity, code, message, excerpt} = diagnostic;
   const explained = explanation(code);
   return el('li', {class: `diagnostic ${severity}`}, [
@@ -68,16 +71,17 @@ function item(diagnostic: Diagnostic): HTMLElement {
     el('p', {class: 'sentence'}, [message]),
     ...(excerpt !== '' ? [excerptOf(diagnostic)] : []),
     explained ?? el('span', {class: 'faint'}, [code]),
+    ...extra(diagnostic),
   ]);
 }
 
 /** Messages as a list; none if there are none. A long list is shown in parts. */
-export function diagnosticList(diagnostics: Diagnostic[]): HTMLElement[] {
+export function diagnosticList(diagnostics: Diagnostic[], extra: Extra = () => []): HTMLElement[] {
   if (diagnostics.length === 0) return [];
   const list = el('ul', {class: 'diagnostics'});
   const showMore = (first: number) => {
     const next = first + kMostAtOnce;
-    list.append(...diagnostics.slice(first, next).map(item));
+    list.append(...diagnostics.slice(first, next).map((one) => item(one, extra)));
     const left = diagnostics.length - next;
     if (left <= 0) return;
     const more = el('li', {}, [

@@ -101,6 +101,7 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     refusal.textContent = isDone ? '' : store.state.message;
     if (isDone) return;
     field.append(refusal);
+    refusal.scrollIntoView({block: 'nearest'});
     store.set({message: ''});
   };
 

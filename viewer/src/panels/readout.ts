@@ -40,7 +40,7 @@ const unitOf = (document: Description, joint: number, channel: number): string =
 
 /** Makes the readout. */
 export function makeReadout({store, core}: PanelContext): HTMLElement {
-  const root = el('div', {class: 'readouts', hidden: true, tabIndex: 0});
+  const root = el('div', {class: 'readouts', hidden: true, tabIndex: 0, role: 'region'});
   const title = el('h2');
   const parts = el('div');
   root.append(title, parts);
@@ -48,10 +48,9 @@ export function makeReadout({store, core}: PanelContext): HTMLElement {
   const show = ({motion, joint, frame}: Wanted, answer: JointAnswer) => {
     const {document} = motion;
     const {position, rotation, channels} = answer;
-    title.replaceChildren(
-      document.joints[joint].name || t('nameless'),
-      el('span', {class: 'at-frame'}, [t('at_frame', frame)]),
-    );
+    const name = document.joints[joint].name || t('nameless');
+    root.setAttribute('aria-label', name);
+    title.replaceChildren(name, el('span', {class: 'at-frame'}, [t('at_frame', frame)]));
     const tables = [
       table(
         t('world_position'),

@@ -215,11 +215,11 @@ test('long walks are framed around the figure, the floor is where feet are', () 
   const {framedBox, floorHeight, THREE} = parts;
   const box = (...at) =>
     new THREE.Box3(new THREE.Vector3(...at.slice(0, 3)), new THREE.Vector3(...at.slice(3)));
-  const walk = framedBox(box(-50, 0, -50, 50, 2, 50), box(9, 0, 9, 10, 1.8, 10), 1.8);
+  const walk = framedBox(box(-50, 0, -50, 50, 2, 50), box(9, 0, 9, 10, 1.8, 10), 1.8, 0.1);
   assert.ok(walk.max.x - walk.min.x < 6 && walk.containsPoint(new THREE.Vector3(9.5, 1, 9.5)));
-  const dance = framedBox(box(-1, 0, -1, 1, 1.8, 1), box(0, 0, 0, 0.5, 1.8, 0.5), 1.8);
+  const dance = framedBox(box(-1, 0, -1, 1, 1.8, 1), box(0, 0, 0, 0.5, 1.8, 0.5), 1.8, 0.1);
   assert.ok(dance.min.x < -1 && dance.max.x > 1, 'as a whole');
-  assert.ok(!framedBox(new THREE.Box3(), new THREE.Box3(), 1.7).isEmpty());
+  assert.ok(!framedBox(new THREE.Box3(), new THREE.Box3(), 1.7, 0.1).isEmpty());
   assert.equal(floorHeight(box(0, -0.05, 0, 1, 1.8, 1), 1.8), 0);
   assert.equal(floorHeight(box(0, -0.9, 0, 1, 0.9, 1), 1.8), -0.9);
   assert.equal(floorHeight(box(0, 40, 0, 1, 42, 1), 1.8), 40);

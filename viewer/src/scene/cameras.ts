@@ -48,7 +48,7 @@ export interface Cameras {
 
 const kFieldOfView = 32;
 const kSlope = Math.tan(THREE.MathUtils.degToRad(kFieldOfView / 2));
-const kMargin = 1.16;
+const kMargin = 1.2;
 const kUp = new THREE.Vector3(0, 1, 0);
 
 export const isStraight = (view: Camera): boolean =>

@@ -16,6 +16,8 @@ export interface Figure {
   readonly size: number;
   /** The box around its joints and tips, in the file's coordinates. */
   readonly box: THREE.Box3;
+  /** How far it reaches beyond its joints and tips, in the file's unit. */
+  skin(): number;
   /** Moves everything to a frame. */
   show(poses: FramePoses): void;
   /** Takes another description of the same joints: its size may have changed. */
@@ -55,6 +57,9 @@ export function sizeOf(document: Description, box: THREE.Box3): number {
   return height > 0 ? Math.max(0.4 * diagonal, Math.min(diagonal, height)) : 0.7 * diagonal;
 }
 
+/** How far figures reach beyond the middles of joints, relative to their size: bones, and shapes. */
+const kSkin = 0.06;
+const kMostSkin = 0.2;
 /** How much darker balls are than bones. */
 const kBallShade = 0.72;
 const kNeutral = new THREE.Color(0xb9c0c9);
@@ -138,6 +143,7 @@ export function makeFigure(document: Description, opacity = 1): Figure {
     get size() {
       return size;
     },
+    skin: () => (areShapes ? Math.min(kMostSkin * size, shapes!.reach) : kSkin * size),
     show(poses) {
       boxOfPoses(poses, box);
       if (isResized) size = sizeOf(described, box);

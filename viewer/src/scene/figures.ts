@@ -17,8 +17,9 @@ export interface Drawn {
   offset: THREE.Vector3;
 }
 
-/** How much of their motion's colour shapes take when there are several motions. */
-const kTint = 0.4;
+/** How much of their motion's colour shapes with their own take: of one motion, of one of several. */
+const kTint = 0.15;
+const kStrongTint = 0.45;
 
 export interface Figures {
   all: Map<number, Drawn>;
@@ -35,6 +36,8 @@ export interface Figures {
   boxes(): THREE.Box3[];
   /** The box around all visible figures in given poses, by the handles of their motions. */
   boxOf(poses: ReadonlyMap<number, FramePoses>): THREE.Box3;
+  /** How far figures reach beyond their joints, in metres. */
+  skin(): number;
   /** The height of the tallest visible figure, in metres. */
   size(): number;
 }
@@ -95,7 +98,7 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
         figure.root.visible = motion.isVisible;
         figure.root.matrix.copy(sceneFromFile(motion.document)).setPosition(own.offset);
         figure.root.matrixWorldNeedsUpdate = true;
-        figure.paint(motion.colour, motions.length > 1 ? kTint : 0);
+        figure.paint(motion.colour, motions.length > 1 ? kStrongTint : kTint);
         figure.useShapes(shapes);
       });
     },
@@ -125,7 +128,8 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
       out.makeEmpty();
       for (const {figure} of visible()) {
         if (figure.shown === null || figure.box.isEmpty()) continue;
-        out.union(box.copy(figure.box).applyMatrix4(figure.root.matrix));
+        box.copy(figure.box).expandByScalar(figure.skin());
+        out.union(box.applyMatrix4(figure.root.matrix));
       }
       return out;
     },
@@ -138,9 +142,16 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
       for (const {motion, figure} of visible()) {
         const pose = given.get(motion.handle);
         if (pose === undefined || boxOfPoses(pose, box).isEmpty()) continue;
-        whole.union(box.applyMatrix4(figure.root.matrix));
+        whole.union(box.expandByScalar(figure.skin()).applyMatrix4(figure.root.matrix));
       }
       return whole;
+    },
+    skin() {
+      let skin = 0;
+      for (const {motion, figure} of visible()) {
+        skin = Math.max(skin, figure.skin() * motion.document.unit.metres);
+      }
+      return skin;
     },
     size() {
       let size = 0;

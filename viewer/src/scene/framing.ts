@@ -6,12 +6,17 @@ import * as THREE from 'three';
 const kLongWalk = 2.5;
 /** How much of a long path is in view on each side of the figure, in heights. */
 const kPathInView = 1.1;
-/** Points are the middles of joints: figures reach a little further. */
-export const kSkin = 0.06;
-
-/** The box that the view frames: all of the motions, or of long ones the figures with some path. */
-export function framedBox(whole: THREE.Box3, present: THREE.Box3, size: number): THREE.Box3 {
-  const box = whole.clone();
+/**
+ * The box that the view frames: all of the motions, or of long ones the figures with some path.
+ * \param skin  how far figures reach beyond the box of all, which is that of their joints
+ */
+export function framedBox(
+  whole: THREE.Box3,
+  present: THREE.Box3,
+  size: number,
+  skin: number,
+): THREE.Box3 {
+  const box = whole.clone().expandByScalar(skin);
   const room = whole.getSize(new THREE.Vector3());
   if (!present.isEmpty()) {
     const isLong = Math.max(room.x, room.y, room.z) > kLongWalk * size;
@@ -19,7 +24,7 @@ export function framedBox(whole: THREE.Box3, present: THREE.Box3, size: number):
     box.union(present);
   }
   if (box.isEmpty()) box.set(new THREE.Vector3(-0.6, 0, -0.6), new THREE.Vector3(0.6, 1.7, 0.6));
-  return box.expandByScalar(kSkin * size);
+  return box;
 }
 
 /** Feet may sink in so far, relative to the figure's size, before the floor goes down with them. */

@@ -11,7 +11,7 @@ import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
 import {type Figures, makeFigures} from './figures.ts';
 import {cellSize} from './floor.ts';
-import {floorHeight, follow, framedBox, kSkin} from './framing.ts';
+import {floorHeight, follow, framedBox} from './framing.ts';
 import {makeGhosts} from './ghosts.ts';
 import {watchKeys} from './keys.ts';
 import {makeNames} from './names.ts';
@@ -167,7 +167,9 @@ export function makeScene(
     const size = figures.size();
     // Who follows wants the figure, not its way.
     const isNear = store.state.camera === 'follow' && !present.isEmpty();
-    return isNear ? present.clone().expandByScalar(kRoom * size) : framedBox(whole, present, size);
+    return isNear
+      ? present.clone().expandByScalar(kRoom * size)
+      : framedBox(whole, present, size, figures.skin());
   };
   const frameNow = () => {
     const isAnew = mustFrame === 'anew';
@@ -286,7 +288,7 @@ export function makeScene(
     boxOfMoments(moments) {
       const box = new THREE.Box3();
       for (const poses of moments) box.union(figures.boxOf(poses));
-      return box.isEmpty() ? framed() : box.expandByScalar(kSkin * figures.size());
+      return box.isEmpty() ? framed() : box;
     },
     drawNow,
   };

@@ -65,8 +65,17 @@ function partsOf(document: Description): Part[] {
   return parts;
 }
 
+/** How far a part reaches from its joint, about. */
+function reachOf({jointFromSolid}: Part): number {
+  const middle = new THREE.Vector3().setFromMatrixPosition(jointFromSolid);
+  const size = new THREE.Vector3().setFromMatrixScale(jointFromSolid);
+  return middle.length() + Math.max(size.x, size.y, size.z) / 2;
+}
+
 export interface Shapes {
   meshes: THREE.InstancedMesh[];
+  /** How far shapes reach beyond their joints, in the file's unit. */
+  reach: number;
   show(poses: FramePoses): void;
   /** Colours each part: its own colour, or none, becomes the one that is drawn. */
   paint(colourOf: (joint: number, own: VisualShape['colour'], out: THREE.Color) => void): void;
@@ -95,6 +104,7 @@ export function makeShapes(document: Description, material: THREE.Material): Sha
   const colour = new THREE.Color();
   return {
     meshes: groups.map(({mesh}) => mesh),
+    reach: Math.max(...all.map(reachOf)),
     show({positions, rotations}) {
       for (const {parts, mesh} of groups) {
         for (let k = 0; k < parts.length; k++) {

@@ -20,7 +20,7 @@ export interface Stage {
 
 const kShadowMap = 1536;
 /** How far the sun is from straight above: little, so that feet and shadow meet. */
-const kSunSlope = 0.5;
+const kSunSlope = 0.65;
 /** How far it is to the left of a viewer, in radians. */
 const kSunTurn = -0.75;
 /** The box of light grows in such steps, so that edges of shadows do not swim. */

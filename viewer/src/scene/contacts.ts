@@ -8,8 +8,9 @@ import {numFrames} from '../times.ts';
 import type {Figure} from './figure.ts';
 
 const kMostDiscs = 64;
-/** Relative to the figure's size. */
+/** Relative to the figure's size; or to how far its shapes reach, which would hide it. */
 const kRadius = 0.05;
+const kBeyondShapes = 0.8;
 /** How far discs are above the floor. */
 const kLift = 0.0015;
 
@@ -73,8 +74,10 @@ export function makeContacts(core: Core, group: THREE.Group, onArrival: () => vo
     else place.fromArray(tips, tip * 3);
     place.applyMatrix4(figure.root.matrix);
     if (!Number.isFinite(place.x + place.z) || discs.count >= kMostDiscs) return;
-    const size = figure.size * motion.document.unit.metres;
-    matrix.makeScale(kRadius * size, 1, kRadius * size);
+    const {metres} = motion.document.unit;
+    const size = figure.size * metres;
+    const radius = Math.max(kRadius * size, kBeyondShapes * figure.skin() * metres);
+    matrix.makeScale(radius, 1, radius);
     matrix.setPosition(place.x, floor + kLift * size, place.z);
     discs.setMatrixAt(discs.count, matrix);
     discs.setColorAt(discs.count, colour.set(motion.colour));

@@ -59,7 +59,7 @@ export function sizeOf(document: Description, box: THREE.Box3): number {
 
 /** How far figures reach beyond the middles of joints, relative to their size: bones, and shapes. */
 const kSkin = 0.06;
-const kMostSkin = 0.2;
+const kMostSkin = 0.12;
 /** How much darker balls are than bones. */
 const kBallShade = 0.72;
 const kNeutral = new THREE.Color(0xb9c0c9);

@@ -5,7 +5,7 @@ import * as THREE from 'three';
 /** A motion that goes further than so many heights of its figure is not shown as a whole. */
 const kLongWalk = 2.5;
 /** How much of a long path is in view on each side of the figure, in heights. */
-const kPathInView = 1.1;
+const kPathInView = 0.8;
 /**
  * The box that the view frames: all of the motions, or of long ones the figures with some path.
  * \param skin  how far figures reach beyond the box of all, which is that of their joints

@@ -21,7 +21,7 @@ export const kDark: Theme = {
   strongLine: 0x6b7788,
   sky: 1.3,
   sun: 2.3,
-  fill: 1.5,
+  fill: 2,
   shadow: 0.55,
   text: '#e8ecf1',
 };
@@ -33,7 +33,7 @@ export const kLight: Theme = {
   strongLine: 0x9aa4b2,
   sky: 1.45,
   sun: 2.2,
-  fill: 1.5,
+  fill: 2,
   shadow: 0.32,
   text: '#1b2027',
 };

@@ -197,7 +197,7 @@ test('curves go with the time: a click goes to a frame, shift and drag zooms', a
   const at = (part) => [box.x + box.width * part, box.y + box.height / 2];
   await tab.mouse.click(...at(0.5));
   // The value at the shown frame: Zrotation is twice the frame.
-  await isShown(tab, 'figure:has-text("Angle [") .key .number', '100');
+  await isShown(tab, 'figure:has-text("Angle [") .legend-key .number', '100');
   const mark = await tab.locator('.plot-now').first().boundingBox();
   assert.ok(Math.abs(mark.x + 1 - at(0.5)[0]) < 4);
 
@@ -210,7 +210,7 @@ test('curves go with the time: a click goes to a frame, shift and drag zooms', a
   const all = tab.locator('.curve-tools button:has-text("Show all")');
   assert.equal(await all.isDisabled(), false);
   await tab.mouse.click(...at(0));
-  await isShown(tab, 'figure:has-text("Angle [") .key .number', '50');
+  await isShown(tab, 'figure:has-text("Angle [") .legend-key .number', '50');
   await shot(tab, 'curves');
   await all.click();
   await tab.mouse.click(...at(0));
@@ -229,10 +229,10 @@ test('curves of several motions lie over each other, in their colours', async ()
   const {tab, context, faults} = await opened(files, {colorScheme: 'dark'});
   await tab.click('.joint:has-text("Arm")');
   await openTab(tab, 'curves');
-  await isShown(tab, '.key', 'x second.bvh');
-  assert.equal(await tab.locator('.key').count(), 6);
+  await isShown(tab, '.legend-key', 'x second.bvh');
+  assert.equal(await tab.locator('.legend-key').count(), 6);
   const colours = await tab
-    .locator('.key .line')
+    .locator('.legend-key .dash')
     .evaluateAll((lines) => [...new Set(lines.map((line) => line.style.borderColor))]);
   assert.equal(colours.length, 2);
   await tab.selectOption('.curve-tools select', 'seconds');
@@ -240,7 +240,7 @@ test('curves of several motions lie over each other, in their colours', async ()
   await shot(tab, 'overlay_dark');
   await tab.emulateMedia({colorScheme: 'light'});
   await tab.waitForFunction(
-    (dark) => document.querySelector('.key .line').style.borderColor !== dark,
+    (dark) => document.querySelector('.legend-key .dash').style.borderColor !== dark,
     colours[0],
   );
   assert.deepEqual(faults, []);
@@ -381,7 +381,8 @@ test('a file at fault shows its messages as check does', async () => {
     .replace('JOINT', '関節 JOINT')
     .replace('OFFSET 0 10 0\n    CHANNELS', 'OFFSET 0 1o 0\n    CHANNELS');
   writeFileSync(good, text);
-  const {tab, context, faults} = await opened([good]);
+  const {tab, context, faults} = await opened([writeBvh('whole.bvh', 3), good]);
+  await isShown(tab, '#motions', 'whole.bvh');
   await openTab(tab, 'check');
   await isShown(tab, '.diagnostic', 'bad.bvh:6:3');
   await isShown(tab, '.diagnostic', "found '関節'");
@@ -398,7 +399,8 @@ test('a file at fault shows its messages as check does', async () => {
 test('a file is repaired and opened, and says what was repaired', async () => {
   const path = writeBvh('repaired.bvh', 3);
   writeFileSync(path, readFileSync(path, 'utf8').replace('    OFFSET 0 10 0\n    CH', '    CH'));
-  const {tab, context, faults} = await opened([path]);
+  const {tab, context, faults} = await opened([writeBvh('whole.bvh', 3), path]);
+  await isShown(tab, '#motions', 'whole.bvh');
   await openTab(tab, 'check');
   await isShown(tab, '.diagnostic.error', 'BVH006');
   await tab.click('button:has-text("Repair and open")');

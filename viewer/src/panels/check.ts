@@ -105,12 +105,16 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     ]);
   };
 
+  /** Opens a file with its faults repaired; what was repaired is then what is read here. */
+  const repair = async (path: string) => {
+    const motion = await actions.openPath(path, {options: {lenient: true}});
+    if (motion !== null) store.set({active: motion.handle, joint: -1});
+  };
+
   const fault = ({path, diagnostics}: OpenedFile): HTMLElement =>
     section(t('not_opened', path), [
       ...diagnosticList(diagnostics),
-      button(t('open_leniently'), () => actions.openPath(path, {options: {lenient: true}}), {
-        title: t('lenient_help'),
-      }),
+      button(t('open_leniently'), () => repair(path), {title: t('lenient_help')}),
     ]);
 
   /** What the check says of a motion's file, and what stands out in the motion beside that. */

@@ -97,11 +97,11 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
     });
     const values = group.lines.map(() => el('span', {class: 'number'}));
     const keys = group.lines.map(({motion, quantity, colour, dash}, index) => {
-      const swatch = el('span', {class: dash.length > 0 ? 'line dashed' : 'line'});
+      const swatch = el('span', {class: dash.length > 0 ? 'dash dashed' : 'dash'});
       swatch.style.borderColor = colour;
       const label = labelOf(quantity);
       const text = several ? `${label} ${motion.title}` : label;
-      return el('span', {class: 'key', title: text}, [
+      return el('span', {class: 'legend-key', title: text}, [
         swatch,
         el('span', {class: 'text'}, [text]),
         values[index],
@@ -113,7 +113,7 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
     return el('figure', {attributes: {'aria-label': caption}}, [
       el('figcaption', {}, [
         el('h3', {}, [caption]),
-        el('div', {class: several ? 'keys several' : 'keys'}, keys),
+        el('div', {class: several ? 'legend several' : 'legend'}, keys),
       ]),
       plot.root,
     ]);

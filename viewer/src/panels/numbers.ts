@@ -19,7 +19,7 @@ export function groupedNumber(value: Num): HTMLElement {
   if (parts === null) return el('span', {class: 'number'}, [text]);
   const [, sign, whole, fraction, exponent] = parts;
   const spans = (groups: string[]) =>
-    groups.map((group, index) => el('span', index > 0 ? {class: 'group'} : {}, [group]));
+    groups.map((group, index) => el('span', index > 0 ? {class: 'digits'} : {}, [group]));
   return el('span', {class: 'number'}, [
     sign,
     ...spans(inThrees(whole, true)),

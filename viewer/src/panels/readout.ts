@@ -22,8 +22,8 @@ const row = (label: string, value: Num, unit: string, note = ''): HTMLElement =>
   el('tr', {}, [
     el('th', {scope: 'row'}, [label]),
     el('td', {class: 'value'}, [groupedNumber(value)]),
-    el('td', {class: 'unit'}, [unit]),
-    el('td', {class: 'note'}, [note]),
+    el('td', {class: 'value-unit'}, [unit]),
+    el('td', {class: 'value-note'}, [note]),
   ]);
 
 const table = (caption: string, values: Num[], rows: HTMLElement[]): HTMLElement =>

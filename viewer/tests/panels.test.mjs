@@ -176,6 +176,11 @@ test('joints are found by a part of their name, and chosen with the keyboard', a
   await tab.fill('#panel-joints .search', '');
   assert.equal(await tab.locator('.joint').count(), 18);
   assert.equal(await tab.locator('.joint[aria-selected="true"]').textContent(), 'RightLowLeg');
+  await tab.waitForFunction(() => {
+    const list = document.querySelector('.joints').getBoundingClientRect();
+    const row = document.querySelector('.joint[aria-selected="true"]').getBoundingClientRect();
+    return row.top >= list.top && row.bottom <= list.bottom;
+  });
   assert.deepEqual(faults, []);
   await context.close();
 });

@@ -58,7 +58,8 @@ function factsOf(document: Description): Fact[] {
       [t('fact_duration'), `${shortNumber(time.duration)} s`],
     );
   }
-  const size = unitName(unit.metres) ?? `${shortNumber(unit.metres)} m`;
+  const name = unitName(unit.metres);
+  const size = name === null ? `${shortNumber(unit.metres)} m` : `1 ${name}`;
   facts.push(
     [t('fact_unit'), t('unit_is', size), certainty(unit.certainty, unit.reason)],
     [t('fact_angles'), angleUnit(document)],

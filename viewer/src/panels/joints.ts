@@ -104,6 +104,10 @@ export function makeJointsPanel(context: PanelContext): HTMLElement {
   };
 
   tree.addEventListener('keydown', move);
+  // The readout of the first choice takes room from the list.
+  new ResizeObserver(() => {
+    tree.querySelector('[aria-selected="true"]')?.scrollIntoView({block: 'nearest'});
+  }).observe(tree);
   search.addEventListener('input', () => draw(store.state));
   search.addEventListener('keydown', (event) => {
     const [first] = rows.keys();

@@ -68,6 +68,7 @@ export function makeActions(core: Core, store: Store): Actions {
       undone: [],
       version: 1,
       offset: 0,
+      pace: 1,
       placement: 'recorded',
       diagnostics,
     },

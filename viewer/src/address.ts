@@ -58,8 +58,9 @@ export function keepAddress(store: Store): void {
       if (motions.length === 0) return;
       if (!isRestored) {
         isRestored = true;
-        // When all that opens at once is there.
-        setTimeout(() => show(store, location.hash.slice(1)));
+        // When everyone has heard of the motions, and before any key is pressed.
+        const address = location.hash.slice(1);
+        if (address !== '') queueMicrotask(() => show(store, address));
       }
       if (!isPlaying && timer === 0) timer = window.setTimeout(write, kPause);
     },

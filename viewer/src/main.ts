@@ -35,6 +35,7 @@ const store = makeStore({
   speed: 1,
   loop: null,
   repeats: true,
+  link: 'time',
   camera: 'orbit',
   shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
   isWarping: false,

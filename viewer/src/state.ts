@@ -25,9 +25,14 @@ export interface OpenMotion {
   version: number;
   /** The time at which it starts, in seconds. */
   offset: number;
+  /** How fast it runs beside the others: other than 1 where frames are linked by number. */
+  pace: number;
   placement: Placement;
   diagnostics: Diagnostic[];
 }
+
+/** How the times of motions belong together. */
+export type Link = 'time' | 'frames';
 
 export type Camera = 'orbit' | 'follow' | 'front' | 'side' | 'top';
 
@@ -57,6 +62,7 @@ export interface State {
   loop: [number, number] | null;
   /** Whether it is repeated, or stops at its end. */
   repeats: boolean;
+  link: Link;
   camera: Camera;
   shown: Shown;
   /** Whether the editor of the time warp is open. */

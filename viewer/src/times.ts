@@ -32,11 +32,23 @@ export function frameAt(time: Time, seconds: number): number {
 
 /** The frame of a motion that the page shows now. */
 export const shownFrame = (motion: OpenMotion, seconds: number): number =>
-  frameAt(motion.document.time, seconds - motion.offset);
+  frameAt(motion.document.time, ownSeconds(motion, seconds));
+
+/** The time of a motion, from its first frame on, at a time of the page. */
+export const ownSeconds = ({offset, pace}: OpenMotion, seconds: number): number =>
+  (seconds - offset) * pace;
 
 /** The time, in the page, at which a motion shows a frame. */
 export const secondsOf = (motion: OpenMotion, frame: number): number =>
-  motion.offset + timeOfFrame(motion.document.time, frame);
+  motion.offset + timeOfFrame(motion.document.time, frame) / motion.pace;
+
+/** The time, in the page, from one frame of a motion to the next. */
+export const secondsPerFrame = ({document, pace}: OpenMotion): number =>
+  document.time.frame_time / pace;
+
+/** The time, in the page, at which a motion ends. */
+export const endOf = ({offset, pace, document}: OpenMotion): number =>
+  offset + Number(document.time.duration) / pace;
 
 /** From the first start to the last end of all motions, in seconds. */
 export function wholeRange(state: Readonly<State>): [number, number] {
@@ -44,7 +56,7 @@ export function wholeRange(state: Readonly<State>): [number, number] {
   let last = -Infinity;
   for (const motion of state.motions) {
     first = Math.min(first, motion.offset);
-    last = Math.max(last, motion.offset + Number(motion.document.time.duration));
+    last = Math.max(last, endOf(motion));
   }
   return first <= last ? [first, last] : [0, 0];
 }

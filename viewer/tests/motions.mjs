@@ -6,7 +6,7 @@ import {gzipSync} from 'node:zlib';
 import {out, page} from './browser.mjs';
 
 /** A figure that walks off and bends: Hips, Chest, Head. `names` replaces the names. */
-export function smallBvh(frames = 120, names = ['Hips', 'Chest', 'Head']) {
+export function smallBvh(frames = 120, names = ['Hips', 'Chest', 'Head'], frameTime = 0.02) {
   const rows = Array.from({length: frames}, (_, frame) => {
     const angle = (Math.sin(frame / 10) * 20).toFixed(4);
     return `${frame / 2} 90 0 0 0 0 ${angle} 0 0 0 ${angle} 0`;
@@ -34,7 +34,7 @@ ROOT ${names[0]}
 }
 MOTION
 Frames: ${frames}
-Frame Time: 0.02
+Frame Time: ${frameTime}
 ${rows.join('\n')}
 `;
 }

@@ -42,11 +42,12 @@ const press = (tab, ...keys) =>
   keys.reduce((done, key) => done.then(() => tab.keyboard.press(key)), Promise.resolve());
 const lastFrame = (tab) => textOf(tab, '.frame-field .last').then((text) => Number(text.slice(1)));
 
-/** Where an element of a drawing is, in the window. */
-async function middleOf(tab, selector) {
-  const box = await tab.locator(selector).first().boundingBox();
-  return {x: box.x + box.width / 2, y: box.y + box.height / 2};
-}
+/** Where an element of a drawing is, in the window; drawings replace their elements. */
+const middleOf = (tab, selector) =>
+  tab.$eval(selector, (element) => {
+    const {x, y, width, height} = element.getBoundingClientRect();
+    return {x: x + width / 2, y: y + height / 2};
+  });
 
 async function drag(tab, selector, right, down = 0) {
   const {x, y} = await middleOf(tab, selector);
@@ -318,6 +319,28 @@ test('several motions: offsets by drag and by number, next motion, placement, cl
   await tab.click('[aria-label="Close other.bvh"]');
   await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
   assert.equal(await count(tab, '#placement'), 0);
+  assert.deepEqual(faults, []);
+});
+
+test('linked by frame number, motions of two rates show the same frame', async (t) => {
+  const slow = fileOf('slow.bvh', smallBvh(60, undefined, 0.1));
+  const {tab, faults} = await withPage(t, [bvh, slow]);
+  await tab.waitForSelector('#link');
+  await waitText(tab, '.motion.active', 'slow.bvh');
+  assert.equal(await tab.inputValue('#link'), 'time');
+  await tab.fill('#frame', '12');
+  await press(tab, 'Enter');
+  assert.equal(await textOf(tab, '.readout'), '1.200 s');
+  await press(tab, 'm');
+  assert.equal(await frameOf(tab), 60);
+  await tab.selectOption('#link', 'frames');
+  await tab.fill('#frame', '12');
+  await press(tab, 'Enter');
+  await press(tab, 'm');
+  assert.equal(await frameOf(tab), 12);
+  assert.equal(await textOf(tab, '.readout'), '1.200 s', 'of the motion, not of the page');
+  await press(tab, 'ArrowRight', 'm');
+  assert.equal(await frameOf(tab), 13);
   assert.deepEqual(faults, []);
 });
 

@@ -13,6 +13,7 @@ const kGestures: [Word, Word][] = [
   ['gesture_turn', 'gesture_turn_does'],
   ['gesture_zoom', 'gesture_zoom_does'],
   ['gesture_move', 'gesture_move_does'],
+  ['gesture_arrows', 'gesture_arrows_does'],
   ['gesture_joint', 'gesture_joint_does'],
   ['gesture_scrub', 'gesture_scrub_does'],
   ['gesture_wheel', 'gesture_wheel_does'],

@@ -2,7 +2,7 @@
 // The drawn parts of the track: ruler, lanes, ground contacts, marks.
 import type {Contact, Mark} from '../core/types.ts';
 import type {OpenMotion} from '../state.ts';
-import {numFrames, secondsOf, timeOfFrame} from '../times.ts';
+import {endOf, numFrames, secondsOf, secondsPerFrame} from '../times.ts';
 import {t, type Word} from '../words.ts';
 import {kLeft, kRight, type TimeAxis, tickStep} from './axis.ts';
 import type {Marks} from './marks.ts';
@@ -30,7 +30,7 @@ export function drawRuler(
   if (unit === 'seconds') return drawSeconds(motion, axis, width, height);
   const {time} = motion.document;
   const [begin, end] = axis.range;
-  const perFrame = time.frame_time > 0 ? time.frame_time : 1;
+  const perFrame = time.frame_time > 0 ? secondsPerFrame(motion) : 1;
   const step = Math.max(1, tickStep((kLabelSpace * axis.secondsPerPixel(width)) / perFrame));
   const drawn: SVGElement[] = [];
   const first = Math.ceil((begin - motion.offset) / perFrame / step - 1e-6);
@@ -53,13 +53,15 @@ function drawSeconds(
   height: number,
 ): SVGElement[] {
   const [begin, end] = axis.range;
-  const step = tickStep(kLabelSpace * axis.secondsPerPixel(width));
+  const {offset, pace} = motion;
+  const step = tickStep(kLabelSpace * axis.secondsPerPixel(width) * pace);
   const drawn: SVGElement[] = [];
   const duration = Number(motion.document.time.duration);
-  for (let i = Math.ceil((begin - motion.offset) / step - 1e-6); ; i++) {
+  for (let i = Math.ceil(((begin - offset) * pace) / step - 1e-6); ; i++) {
     const seconds = i * step;
-    const x = axis.x(motion.offset + seconds, width);
-    if (motion.offset + seconds > end + 1e-9 || x > width - kRight + 1) return drawn;
+    const at = offset + seconds / pace;
+    const x = axis.x(at, width);
+    if (at > end + 1e-9 || x > width - kRight + 1) return drawn;
     const isWithin = seconds >= 0 && seconds <= duration;
     drawn.push(...tick(x, height, `${Number(seconds.toPrecision(6))} s`, isWithin));
   }
@@ -69,9 +71,6 @@ const tick = (x: number, height: number, text: string, isWithin: boolean): SVGEl
   svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
   svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [text]),
 ];
-
-/** When a motion ends, in seconds of the page. */
-const endOf = ({offset, document}: OpenMotion): number => offset + Number(document.time.duration);
 
 /** The lane of a motion: how long it is, and when it starts. */
 export function drawLane(
@@ -121,9 +120,9 @@ export function drawContacts(
 ): SVGElement[] {
   const {time} = motion.document;
   return contacts.map(({first_frame, num_frames}) => {
-    const from = axis.x(motion.offset + timeOfFrame(time, first_frame), width);
+    const from = axis.x(secondsOf(motion, first_frame), width);
     const last = Math.min(numFrames(time) - 1, first_frame + num_frames);
-    const to = axis.x(motion.offset + timeOfFrame(time, last), width);
+    const to = axis.x(secondsOf(motion, last), width);
     const [left, right] = [Math.max(kLeft, from), Math.min(width - kRight, to)];
     return svg('rect', {
       class: 'contact',

@@ -3,7 +3,7 @@
 // beside each other.
 import type {Actions} from '../actions.ts';
 import {byId, el} from '../elements.ts';
-import {type OpenMotion, type Placement, type Store, withMotion} from '../state.ts';
+import {type Link, type OpenMotion, type Placement, type Store, withMotion} from '../state.ts';
 import {t, type Word} from '../words.ts';
 import {iconButton, titled} from './icons.ts';
 import {numberText} from './warpwords.ts';
@@ -83,23 +83,46 @@ export function makeMotionList(store: Store, actions: Actions): void {
     return el('label', {class: 'placement'}, [el('span', {}, [t('placement')]), field]);
   };
 
+  /** How the times of the motions belong together; asked only where rates differ. */
+  const linkField = (): HTMLElement => {
+    const field = el('select', {id: 'link'}, [
+      el('option', {value: 'time'}, [t('link_time')]),
+      el('option', {value: 'frames'}, [t('link_frames')]),
+    ]);
+    field.value = store.state.link;
+    field.addEventListener('change', () => store.set({link: field.value as Link}));
+    return el('label', {class: 'placement'}, [el('span', {}, [t('link')]), field]);
+  };
+
+  // Linked by frame number, all run at the frame rate of the first.
+  store.on(['motions', 'link'], ({motions, link}) => {
+    const paceOf = (motion: OpenMotion) =>
+      link === 'time' ? 1 : motion.document.time.frame_time / motions[0].document.time.frame_time;
+    if (motions.every((motion) => motion.pace === paceOf(motion))) return;
+    store.set({motions: motions.map((motion) => ({...motion, pace: paceOf(motion)}))});
+  });
   store.on(['motions'], ({motions}) => {
     if (motions.length > 0) return;
     store.set({loop: null, seconds: 0, isPlaying: false, isWarping: false});
   });
-  store.on(['motions', 'active', 'language'], ({motions}, changed) => {
+  store.on(['motions', 'active', 'link', 'language'], ({motions}, changed) => {
     const focused = document.activeElement;
     const index = [...list.querySelectorAll('button, input, select')].indexOf(focused as Element);
     // While an offset is typed or dragged the fields stay.
     if (changed.size === 1 && changed.has('motions') && focused?.matches('.offset')) return;
     const isOne = motions.length === 1;
+    const [first] = motions;
+    const haveOneRate = motions.every(
+      ({document}) => document.time.frame_time === first.document.time.frame_time,
+    );
     list.replaceChildren(
       el(
         'ul',
         {},
         motions.map((motion) => row(motion, isOne)),
       ),
-      ...(motions.length > 1 ? [placementField(motions)] : []),
+      ...(isOne || motions.length === 0 ? [] : [placementField(motions)]),
+      ...(haveOneRate ? [] : [linkField()]),
     );
     list.hidden = motions.length === 0;
     if (index >= 0) list.querySelectorAll<HTMLElement>('button, input, select')[index]?.focus();

@@ -4,7 +4,15 @@
 import {byId, el} from '../elements.ts';
 import {goToFrame, playedRange} from '../playback.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from '../state.ts';
-import {frameAt, numFrames, secondsOf, shownFrame, wholeRange} from '../times.ts';
+import {
+  frameAt,
+  numFrames,
+  ownSeconds,
+  secondsOf,
+  secondsPerFrame,
+  shownFrame,
+  wholeRange,
+} from '../times.ts';
 import {t} from '../words.ts';
 import type {TimeAxis} from './axis.ts';
 import {titled} from './icons.ts';
@@ -28,7 +36,7 @@ const kHandleWidth = 7;
 /** The nearest frame of the active motion to a time. */
 function nearestFrame(motion: OpenMotion, seconds: number): number {
   const {time} = motion.document;
-  return frameAt(time, seconds - motion.offset + time.frame_time / 2);
+  return frameAt(time, ownSeconds(motion, seconds) + time.frame_time / 2);
 }
 
 /** Sets the range that plays; the whole of time is no range. */
@@ -107,7 +115,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
   const laneGrip = (motion: OpenMotion): Grip => {
     let from = 0;
     const set = (offset: number) => {
-      const step = motion.document.time.frame_time;
+      const step = secondsPerFrame(motion);
       const snapped = Math.round(Math.round(offset / step) * step * 1e9) / 1e9;
       store.set({motions: withMotion(store.state, motion.handle, {offset: snapped})});
     };
@@ -121,7 +129,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
       end: () => axis.release(),
       key(event) {
         const step = arrowStep(event);
-        if (step !== 0) set(motion.offset + step * motion.document.time.frame_time);
+        if (step !== 0) set(motion.offset + step * secondsPerFrame(motion));
         return step !== 0;
       },
     };

@@ -3,7 +3,7 @@
 import {byId, el} from '../elements.ts';
 import {goToFrame, kSpeeds, setSpeed, step} from '../playback.ts';
 import {activeMotion, type OpenMotion, type Store} from '../state.ts';
-import {numFrames, shownFrame} from '../times.ts';
+import {numFrames, ownSeconds, shownFrame} from '../times.ts';
 import {t, type Word} from '../words.ts';
 import {iconButton, setIcon, titled} from './icons.ts';
 import type {Marks} from './marks.ts';
@@ -126,7 +126,7 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     if (motion === undefined) return;
     warp.disabled = motion.document.time.is_still;
     const frame = shownFrame(motion, state.seconds);
-    readout.textContent = `${(state.seconds - motion.offset).toFixed(3)} s`;
+    readout.textContent = `${ownSeconds(motion, state.seconds).toFixed(3)} s`;
     others.textContent = otherNumbers(motion, frame);
   });
   marks.onChange(() => {

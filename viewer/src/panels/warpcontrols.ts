@@ -41,7 +41,7 @@ const wordOf = (name: string): string => name.replaceAll('-', '_');
 async function copy(text: string, store: Store): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
-    notify(store, t('copied', text));
+    notify(store, t('copied_text', text));
   } catch {
     store.set({message: text}); // to be copied by hand
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawn map of a time warp: new frames to the right, old frames upwards, keys as handles.
 import type {OpenMotion} from '../state.ts';
+import {secondsPerFrame} from '../times.ts';
 import {t} from '../words.ts';
 import {kLeft, kRight, type TimeAxis, tickStep} from './axis.ts';
 import {redraw, sliderAttributes, svg} from './svg.ts';
@@ -41,13 +42,13 @@ export function warpScale(
   width: number,
   height: number,
 ): WarpScale {
-  const {frame_time} = motion.document.time;
+  const perFrame = secondsPerFrame(motion);
   const most = Math.max(1, numOld - 1);
   const room = height - kTop - kBottom;
   return {
-    x: (to) => axis.x(motion.offset + to * frame_time, width),
+    x: (to) => axis.x(motion.offset + to * perFrame, width),
     y: (from) => height - kBottom - (from / most) * room,
-    to: (x) => (axis.seconds(x, width) - motion.offset) / frame_time,
+    to: (x) => (axis.seconds(x, width) - motion.offset) / perFrame,
     from: (y) => ((height - kBottom - y) / room) * most,
   };
 }
@@ -76,8 +77,10 @@ function curve(map: WarpMap, scale: WarpScale, width: number): string {
 
 function grid(map: WarpMap, axis: TimeAxis, scale: WarpScale, width: number, height: number) {
   const drawn: SVGElement[] = [];
-  const {frame_time} = map.motion.document.time;
-  const across = Math.max(1, tickStep((kAcross * axis.secondsPerPixel(width)) / frame_time));
+  const across = Math.max(
+    1,
+    tickStep((kAcross * axis.secondsPerPixel(width)) / secondsPerFrame(map.motion)),
+  );
   const last = scale.to(width - kRight);
   for (let to = Math.ceil(scale.to(kLeft) / across - 1e-6) * across; to <= last; to += across) {
     const x = scale.x(to);

@@ -17,7 +17,7 @@ import {chosenLanguage, makeStatus, makeTools, takeFiles} from './panels/topbar.
 import {makeTrack} from './panels/track.ts';
 import {makeTransport} from './panels/transport.ts';
 import {makeViews} from './panels/views.ts';
-import {makeWarpEditor} from './panels/warp.ts';
+import {kPhone, makeWarpEditor} from './panels/warp.ts';
 import {offerPictures, type Studio} from './picture.ts';
 import {runPlayback} from './playback.ts';
 import {makePoseCache, type PoseCache} from './poses.ts';
@@ -40,7 +40,7 @@ const store = makeStore({
   shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
   isWarping: false,
   // On a phone the panel would hide the timeline.
-  isSideOpen: !window.matchMedia('(max-width: 760px)').matches,
+  isSideOpen: !kPhone.matches,
   panel: '',
   isBare: false,
   language: chosenLanguage() ?? preferredLanguage(),

@@ -541,9 +541,9 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.tap('#side-toggle');
   assert.equal(await tab.isVisible('#side'), true);
   await fits('with the panel');
-  await tab.tap('#side-toggle');
   await tab.tap('.warp-button');
   await tab.waitForSelector('.warp:not([hidden])');
+  assert.equal(await tab.isVisible('#side'), false, 'there is no room for both');
   await tab.tap('.warp_add');
   await tab.waitForSelector('.key');
   await fits('time warp');

@@ -13,6 +13,9 @@ import {makeWarping} from './warping.ts';
 import {drawWarpMap, sourceOf, type WarpMap, type WarpScale, warpScale} from './warpmap.ts';
 import {type Key, numberText, warpOf} from './warpwords.ts';
 
+/** As the style has it. */
+export const kPhone = window.matchMedia('(max-width: 760px)');
+
 /** What other parts of the page do with the editor. */
 export interface WarpEditor {
   /** Opens the editor, or closes it. */
@@ -183,6 +186,13 @@ export function makeWarpEditor(
   store.on(['isWarping', 'language'], draw);
   store.on(['seconds'], movePlayhead);
   new ResizeObserver(draw).observe(drawing);
+  // A phone has no room for both the editor and the side panel.
+  store.on(['isWarping'], ({isWarping}) => {
+    if (isWarping && kPhone.matches) store.set({isSideOpen: false});
+  });
+  store.on(['isSideOpen'], ({isSideOpen}) => {
+    if (isSideOpen && kPhone.matches) store.set({isWarping: false});
+  });
 
   /** The original stays beside its warp: it is opened once more, and the new one is warped. */
   const openBeside = async (motion: OpenMotion) => {

@@ -209,6 +209,8 @@ export function makeActions(core: Core, store: Store): Actions {
         motions: withMotion(store.state, handle, {
           document,
           diagnostics,
+          // Done again below; if they are refused now, the core has none of them.
+          steps: [],
           version: motion.version + 1,
         }),
       });

@@ -18,7 +18,7 @@ import {makeTrack} from './panels/track.ts';
 import {makeTransport} from './panels/transport.ts';
 import {makeViews} from './panels/views.ts';
 import {kPhone, makeWarpEditor} from './panels/warp.ts';
-import {offerPictures, type Studio} from './picture.ts';
+import {offerPictures, type Studio, savePicture} from './picture.ts';
 import {runPlayback} from './playback.ts';
 import {makePoseCache, type PoseCache} from './poses.ts';
 import {makeScene, type Scene} from './scene/scene.ts';
@@ -106,7 +106,8 @@ async function start(): Promise<Studio> {
   const poses = makePoseCache(core, () => scene?.invalidate());
   const actions = makeActions(core, store);
   makeSurroundings(core, actions, () => scene?.frameAll());
-  makeSide({store, actions, core, tables: await tablesOf(core)});
+  const tables = await tablesOf(core);
+  makeSide({store, actions, core, tables, savePicture: () => savePicture(store)});
   runPlayback(store);
   scene = startScene(core, poses);
   store.set({busy: ''});

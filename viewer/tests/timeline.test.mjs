@@ -42,12 +42,15 @@ const press = (tab, ...keys) =>
   keys.reduce((done, key) => done.then(() => tab.keyboard.press(key)), Promise.resolve());
 const lastFrame = (tab) => textOf(tab, '.frame-field .last').then((text) => Number(text.slice(1)));
 
-/** Where an element of a drawing is, in the window; drawings replace their elements. */
+/**
+ * Where an element of a drawing is, in the window. Drawings replace their elements: it is found and
+ * measured in one go.
+ */
 const middleOf = (tab, selector) =>
-  tab.$eval(selector, (element) => {
-    const {x, y, width, height} = element.getBoundingClientRect();
+  tab.evaluate((wanted) => {
+    const {x, y, width, height} = document.querySelector(wanted).getBoundingClientRect();
     return {x: x + width / 2, y: y + height / 2};
-  });
+  }, selector);
 
 async function drag(tab, selector, right, down = 0) {
   const {x, y} = await middleOf(tab, selector);

@@ -117,12 +117,12 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     if (motion === undefined) {
       return done.replaceChildren(el('p', {class: 'empty'}, [t('no_motion')]));
     }
-    const {steps, undone, diagnostics} = motion;
+    const {steps, done: earlier, undone, diagnostics} = motion;
     const focused = (document.activeElement as HTMLElement | null)?.dataset.act;
     const refusal = el('p', {class: 'refusal', attributes: {role: 'alert'}});
     const rows = steps.map((_, index) => stepRow(motion, index, refusal));
     const undo = button(t('undo'), async () => tellRefusal(await actions.undo(motion), refusal), {
-      disabled: steps.length === 0,
+      disabled: earlier.length === 0,
     });
     const redo = button(t('redo'), async () => tellRefusal(await actions.redo(motion), refusal), {
       disabled: undone.length === 0,

@@ -102,9 +102,16 @@ export const stemOf = (path: string): string => baseOf(path.slice(0, dotOf(path)
 /** The extension of a file, with its dot. */
 export const extensionOf = (path: string): string => path.slice(dotOf(path));
 
+/** What a name says of the steps that were done. */
+function suffixOf(steps: Step[]): string {
+  const last = steps[steps.length - 1];
+  if (last === undefined) return '';
+  return 'warp' in last ? '_warped' : '_edited';
+}
+
 /** The name that the page proposes for what was made of a motion. */
 export const outputName = ({document, steps}: OpenMotion, extension?: string): string =>
-  `${stemOf(document.path)}${steps.length > 0 ? '_edited' : ''}${extension ?? extensionOf(document.path)}`;
+  `${stemOf(document.path)}${suffixOf(steps)}${extension ?? extensionOf(document.path)}`;
 
 /** The commands that do what was done to a motion, for a shell. */
 export function commandLine({document, steps}: OpenMotion, out: string): string {

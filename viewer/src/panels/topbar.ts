@@ -99,8 +99,10 @@ export function makeTools(store: Store, openHelp: () => void): void {
   byId('tools').append(language, bare, panels, help);
   const toggle = byId('side-toggle');
   toggle.addEventListener('click', () => store.set({isSideOpen: !store.state.isSideOpen}));
-  store.on(['isSideOpen', 'isBare', 'motions', 'language'], (state) => {
-    const {isSideOpen, isBare, motions} = state;
+  store.on(['isSideOpen', 'isBare', 'motions', 'files', 'language'], (state) => {
+    const {isSideOpen, isBare, motions, files} = state;
+    // The messages of a file that could not be read are in the panel, too.
+    const hasNone = motions.length === 0 && files.every(({what}) => what !== 'fault');
     language.value = state.language;
     titled(language, 'Language / 言語');
     titled(help, t('help'));
@@ -109,8 +111,8 @@ export function makeTools(store: Store, openHelp: () => void): void {
     panels.setAttribute('aria-pressed', String(isSideOpen));
     bare.setAttribute('aria-pressed', String(isBare));
     toggle.setAttribute('aria-expanded', String(isSideOpen));
-    panels.hidden = bare.hidden = toggle.hidden = motions.length === 0;
-    byId('side').hidden = !isSideOpen || isBare || motions.length === 0;
+    panels.hidden = bare.hidden = toggle.hidden = hasNone;
+    byId('side').hidden = !isSideOpen || isBare || hasNone;
     document.body.classList.toggle('is-bare', isBare);
   });
 }

@@ -9,8 +9,9 @@ import {notify} from '../notify.ts';
 import {activeMotion, type Store} from '../state.ts';
 import {t, translated, type Word} from '../words.ts';
 import {type Icon, iconButton, titled} from './icons.ts';
+import {commandLine, outputName} from './steps.ts';
 import type {Warping} from './warping.ts';
-import {commandOf, type Key, numberText, warpedName, wordsWith} from './warpwords.ts';
+import {type Key, numberText} from './warpwords.ts';
 
 /** Keys are drawn, and the editor counts in frames. */
 const kNotControls = new Set(['key', 'seconds']);
@@ -110,16 +111,12 @@ export function makeWarpControls(
 
   const save = () =>
     withActive(async (motion) => {
-      const {handle, document} = motion;
-      const answer = await core.ask('write', {handle, name: warpedName(document.path)});
+      const answer = await core.ask('write', {handle: motion.handle, name: outputName(motion)});
       if (isFailure(answer)) return store.set({message: answer.error.message});
       for (const file of answer.files) offerFile(file.name, file.bytes as BlobPart);
     });
   const copyCommand = () =>
-    withActive((motion) => {
-      const words = wordsWith(warping.words, [...warping.keys]);
-      copy(commandOf(motion.document, warping.before, words), store);
-    });
+    withActive((motion) => copy(commandLine(motion, outputName(motion)), store));
 
   const wordsNow = () => {
     const words = {...warping.words};

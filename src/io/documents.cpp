@@ -134,16 +134,12 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
             : fmt::format("{} is only written, not read; what is read: {}", format->name, readable),
         name));
   }
-  if (format->takes_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
-    auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
-    if (!skeleton) return fail(std::move(skeleton.error()));
-  }
   return format->read(bytes, options, diagnostics);
 }
 
-Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
+Result<Document> read_file(const std::string& name, const Format* asked, ReadOptions options,
                            Diagnostics& diagnostics) {
-  const std::string path = format != nullptr ? path_in_set(name, *format) : name;
+  const std::string path = asked != nullptr ? path_in_set(name, *asked) : name;
   const std::string source_name = path == "-" ? "<stdin>" : path;
   const auto bytes = open_recorded(path, source_name, options.opened);
   if (!bytes) return fail(bytes.error());
@@ -156,7 +152,14 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
     options.companions = files_beside(path, options.model_root);
   }
   options.companions = recording(std::move(options.companions), options.opened);
-  return read_bytes(bytes->view(), source_name, format, std::move(options), diagnostics);
+  const Format* format = asked;
+  if (format == nullptr) format = detect_format(bytes->view().substr(0, kHeadBytes), source_name);
+  const bool takes_skeleton = format != nullptr && format->takes_skeleton;
+  if (takes_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
+    auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
+    if (!skeleton) return fail(std::move(skeleton.error()));
+  }
+  return read_bytes(bytes->view(), source_name, asked, std::move(options), diagnostics);
 }
 
 namespace {

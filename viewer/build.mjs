@@ -53,6 +53,7 @@ function licences() {
     kinefile: text('../LICENSE'),
     'three.js': text('node_modules/three/LICENSE'),
     uPlot: text('node_modules/uplot/LICENSE'),
+    'The core': text('core_licences.txt'),
   };
 }
 

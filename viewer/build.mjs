@@ -76,7 +76,10 @@ const script = isolated(await bundle('src/main.ts'));
 const css = await style();
 const coreScript = readFileSync(join(coreFolder, 'core.js'), 'utf8');
 const worker = isolated(`${coreScript}\n${await bundle('src/core/worker.ts')}`);
-const core = gzipSync(readFileSync(join(coreFolder, 'core.wasm')), {level: 9, memLevel: 9}).toString('base64');
+const core = gzipSync(readFileSync(join(coreFolder, 'core.wasm')), {
+  level: 9,
+  memLevel: 9,
+}).toString('base64');
 const policy = [
   "default-src 'none'",
   `script-src ${hash(script)} 'wasm-unsafe-eval'`,

@@ -55,18 +55,29 @@ bool wants_robot(const Slot& slot) {
   return slot.model == nullptr && std::holds_alternative<BodyMotion>(slot.source.content);
 }
 
-/// Opens a document, with what it needs of the helpers; a flow that lacks them is a fault.
-Opened open_one(Session& session, const std::string& path, const Helpers& helpers) {
-  Opened opened{.path = path};
-  if (const Format* format = format_of(session.files, path)) opened.format = format->name;
-  Opening opening{.path = path};
-  const bool runs = !find_format(opened.format)->takes_skeleton;
-  if (runs) {
-    opening.skeleton = helpers.robot;
-    opening.servo_map = helpers.servo_map;
-    opening.project = helpers.project;
-  }
-  auto slot = open(session, opening, opened.diagnostics);
+/// Opens a document with what it needs of the helpers. A file of a format that finds its companion
+/// by itself needs none; another one that cannot be read with the robot is read without it.
+Result<Slot> open_with(const Session& session, const std::string& path, const Format& format,
+                       const Helpers& helpers, Diagnostics& diagnostics) {
+  const Opening plain{.path = path};
+  const bool needs_none = !format.companion.empty() || helpers.robot.empty();
+  if (needs_none) return open(session, plain, diagnostics);
+  Opening opening = plain;
+  opening.skeleton = helpers.robot;
+  opening.servo_map = helpers.servo_map;
+  opening.project = helpers.project;
+  auto slot = open(session, opening, diagnostics);
+  if (slot) return slot;
+  Diagnostics alone;
+  auto without = open(session, plain, alone);
+  if (without) diagnostics = std::move(alone);
+  return without ? std::move(without) : std::move(slot);
+}
+
+Opened open_one(Session& session, const std::string& path, const Format& format,
+                const Helpers& helpers) {
+  Opened opened{.path = path, .format = std::string(format.name)};
+  auto slot = open_with(session, path, format, helpers, opened.diagnostics);
   if (!slot) {
     opened.what = Opened::What::Fault;
     if (!opened.diagnostics.has_errors()) opened.diagnostics.add(slot.error());
@@ -78,41 +89,32 @@ Opened open_one(Session& session, const std::string& path, const Helpers& helper
   return opened;
 }
 
-/// Closes documents that others were read with.
+/// Closes skeletons that other documents were read with, whenever they were opened.
 void fold_companions(Session& session, std::vector<Opened>& all) {
   std::set<std::string> used;
   for (const auto& [handle, slot] : session.slots) {
     used.insert(slot.opened.begin(), slot.opened.end());
   }
+  std::erase_if(session.slots, [&](const auto& entry) {
+    const Slot& slot = entry.second;
+    const bool is_still = std::holds_alternative<Skeleton>(slot.source.content);
+    return is_still && used.contains(slot.opening.path);
+  });
   for (Opened& opened : all) {
-    const auto slot = session.slots.find(opened.handle);
-    const bool is_still = slot != session.slots.end() &&
-                          std::holds_alternative<Skeleton>(slot->second.source.content);
-    const bool is_open = opened.what == Opened::What::Document;
-    if (!used.contains(opened.path) || (is_open && !is_still)) continue;
-    if (is_open) session.slots.erase(slot);
+    const bool is_open = session.slots.contains(opened.handle);
+    if (!used.contains(opened.path) || is_open) continue;
     opened.what = Opened::What::Companion;
     opened.handle = 0;
   }
 }
 
-/// Takes the files that belong to the motions of robots out of the list.
-Helpers take_helpers(const FileSet& files, std::vector<std::string>& paths,
-                     std::vector<Opened>& all) {
+/// The files of the set that belong to the motions of robots; the last of several.
+Helpers helpers_of(const FileSet& files) {
   Helpers helpers;
-  std::vector<std::string> others;
-  for (std::string& path : paths) {
-    if (is_project(files, path)) {
-      helpers.project = path;
-    } else if (is_servo_map(files, path)) {
-      helpers.servo_map = path;
-    } else {
-      others.push_back(std::move(path));
-      continue;
-    }
-    all.push_back({.path = path, .what = Opened::What::Companion});
+  for (const auto& [path, bytes] : files) {
+    if (is_project(files, path)) helpers.project = path;
+    if (is_servo_map(files, path)) helpers.servo_map = path;
   }
-  paths = std::move(others);
   return helpers;
 }
 
@@ -127,11 +129,13 @@ bool is_companion(const Session& session, const std::string& path) {
                      [&](const auto& slot) { return slot.second.opened.contains(path); });
 }
 
-/// The path of the robot that was opened last; empty if there is none.
+/// The path of the robot that was opened last, by itself or under a motion; empty if there is none.
 std::string robot_of(const Session& session) {
   std::string path;
   for (const auto& [handle, slot] : session.slots) {
     if (is_robot(slot)) path = slot.opening.path;
+    const bool is_carried = slot.model != nullptr && robot::is_robot(skeleton_of(*slot.model));
+    if (is_carried) path = slot.opening.skeleton;
   }
   return path;
 }
@@ -151,27 +155,25 @@ void give_robot(Session& session, const std::string& robot) {
 
 std::vector<Opened> open_all(Session& session, std::vector<std::string> paths, std::size_t most) {
   std::vector<Opened> all;
-  Helpers helpers = take_helpers(session.files, paths, all);
+  Helpers helpers = helpers_of(session.files);
   // Models first, since body motions and flows are placed on them.
   std::stable_partition(paths.begin(), paths.end(),
                         [&](const std::string& path) { return is_model(session.files, path); });
   std::size_t num_open = 0;
   for (const std::string& path : paths) {
     const Format* format = format_of(session.files, path);
-    if (format == nullptr || format->read == nullptr) {
-      all.push_back({.path = path});
-      continue;
-    }
-    Opened other{.path = path, .format = std::string(format->name)};
-    const bool is_still = is_model(session.files, path);
-    if (!is_still) helpers.robot = robot_of(session);
-    if (is_companion(session, path)) {
+    Opened other{.path = path};
+    if (path == helpers.project || path == helpers.servo_map || is_companion(session, path)) {
       other.what = Opened::What::Companion;
+    } else if (format == nullptr || format->read == nullptr) {
+      other.what = Opened::What::Unknown;
     } else if (num_open >= most) {
       other.what = Opened::What::Waiting;
+      other.format = format->name;
     } else {
-      other = open_one(session, path, helpers);
-      if (!is_still && other.what == Opened::What::Document) ++num_open;
+      helpers.robot = is_written(*format) ? robot_of(session) : std::string();
+      other = open_one(session, path, *format, helpers);
+      if (other.what == Opened::What::Document) ++num_open;
     }
     all.push_back(std::move(other));
   }

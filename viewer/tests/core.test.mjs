@@ -165,3 +165,24 @@ test('a motion is written as the command writes it, and its source is given back
   const {files} = core.ask('source', {path: 'a.bvh'});
   assert.deepEqual(Buffer.from(files[0].bytes), readFileSync(path));
 });
+
+test('files that come one by one, in any order, end as those that come together', async () => {
+  const names = ['servos.yaml', 'wave.txt', 'robot.body', 'bow.seq'];
+  const orders = [names, [...names].reverse(), ['robot.body', 'bow.seq', 'servos.yaml', 'wave.txt']];
+  for (const order of orders) {
+    const core = await openCore();
+    let faults = [];
+    let last;
+    for (const name of order) {
+      core.addFile(name, example(name));
+      last = core.ask('open_all', {paths: [...faults, name].sort()});
+      faults = last.opened.filter(({what}) => what === 'fault').map(({path}) => path);
+    }
+    assert.deepEqual(faults, [], order.join(' '));
+    const open = last.documents.map(({document}) => [document.path, document.skeleton]).sort();
+    assert.deepEqual(open, [
+      ['bow.seq', 'robot.body'],
+      ['wave.txt', 'robot.body'],
+    ]);
+  }
+});

@@ -221,7 +221,8 @@ Json check_document(const Session& session, const Slot& slot) {
   const auto again = open(session, slot.opening, diagnostics);
   CheckOptions options;
   options.name = slot.opening.path;
-  if (slot.model != nullptr) {
+  // A flow is checked as a program; what its motion does on the robot, the marks tell.
+  if (std::holds_alternative<BodyMotion>(slot.source.content) && slot.model != nullptr) {
     options.robot = [&slot](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
       return slot.model;
     };
@@ -260,7 +261,9 @@ Json write_document(Held& held, const Slot& slot, const Json& question) {
   }
   WriteOptions options;
   const bool keeps_format = format->name == slot.source.format;
-  const Document& document = slot.current;
+  // A flow stays a flow where the format has one, otherwise what its robot does is written.
+  const bool is_kept = contains(format->conventions.writes, slot.current);
+  const Document& document = is_kept ? slot.current : slot.played;
   auto adapted =
       adapt(document, *format, keeps_format ? AdaptOptions{} : adapting, options, diagnostics);
   if (!adapted) return failure(adapted.error(), diagnostics);

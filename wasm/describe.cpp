@@ -201,6 +201,7 @@ Json describe(const Slot& slot) {
                {"servo_map", slot.opening.servo_map},
                {"project", slot.opening.project},
                {"options", slot.opening.options},
+               {"has_frames", retime::has_frames(slot.current)},
                {"is_robot", robot::is_robot(skeleton)},
                {"angle_unit", skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians"},
                {"metres_per_unit", number(skeleton.metres_per_unit)}};

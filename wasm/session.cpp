@@ -109,9 +109,11 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
   auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
   if (!map) return fail(std::move(map.error()));
   if (!*map || slot.model == nullptr) {
+    std::string missing = slot.model == nullptr ? "the robot's model" : "";
+    if (!*map)
+      missing += missing.empty() ? "a servo map or a project" : " and a servo map or a project";
     return fail(ErrorKind::Usage, "CLI001",
-                "a flow of servo poses is shown on a robot: its model and a servo map (or its "
-                "project) are needed");
+                "a flow of servo poses is shown on a robot; still missing: " + missing);
   }
   RunSettings settings;
   settings.project = *project;
@@ -126,9 +128,10 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
 /// Places the current document in the world.
 Result<void> place_current(const Session& session, Slot& slot, Diagnostics& diagnostics) {
   const bool is_lenient = slot.opening.options.value("lenient", false);
-  const auto document = moving(session, slot, slot.current, diagnostics);
-  if (!document) return fail(document.error());
-  auto placed = place(*document, source_of(slot.model), is_lenient, diagnostics);
+  auto document = moving(session, slot, slot.current, diagnostics);
+  if (!document) return fail(std::move(document.error()));
+  slot.played = std::move(*document);
+  auto placed = place(slot.played, source_of(slot.model), is_lenient, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   FkOptions options;
   options.name = slot.opening.path;

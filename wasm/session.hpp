@@ -34,6 +34,7 @@ struct Slot {
   std::shared_ptr<const Document> model;  ///< the skeleton or the robot; null: none
   Document source;                        ///< as read; a flow as a flow
   Document current;                       ///< after all steps
+  Document played;                        ///< of a flow: the motion of its robot; else `current`
   FkTable table;                          ///< `current` in the world
   std::vector<double> source_frames;      ///< of the last step, if that is a warp; otherwise empty
   std::set<std::string> opened;           ///< the companions that were read, by path

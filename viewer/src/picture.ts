@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the scene: the present view, and contact sheets. The renderer draws each picture at
 // its own size, and a plain canvas collects them, with labels.
-import type * as THREE from 'three';
 import {offerFile} from './elements.ts';
 import type {PoseCache} from './poses.ts';
 import {gridText} from './scene/scale.ts';
@@ -120,7 +119,7 @@ async function contactSheet(studio: Studio, width: number, height: number, chose
   const cell = {
     width: place(1, columns, width) - kGap,
     height: place(1, rows, height) - kGap,
-    frames: 'all',
+    frames: 'each',
   } as const;
   let grid = 1;
   shoot(scene, store, moments, cell, (canvas, k, drawnCell) => {
@@ -134,13 +133,9 @@ async function contactSheet(studio: Studio, width: number, height: number, chose
   return paper;
 }
 
-/** How wide what is seen of all moments is, relative to its height. */
-function aspectOf(scene: Scene, moments: Moment[]): number {
-  return scene.cameras.aspectOf(momentsBox(scene, moments));
-}
-
-const momentsBox = (scene: Scene, moments: Moment[]): THREE.Box3 =>
-  scene.boxOfMoments(moments.map(({poses}) => poses));
+/** How wide what is seen of a moment is, relative to its height, at most. */
+const aspectOf = (scene: Scene, moments: Moment[]): number =>
+  Math.max(...moments.map(({poses}) => scene.cameras.aspectOf(scene.boxOfMoments([poses]))));
 
 /** Makes a picture, as a canvas. */
 async function makePicture(studio: Studio, wish: PictureWish): Promise<HTMLCanvasElement> {

@@ -67,6 +67,8 @@ export interface Description {
   servo_map: string;
   project: string;
   options: Record<string, unknown>;
+  /** Whether it can be warped: a flow of servo poses has no frames. */
+  has_frames: boolean;
   is_robot: boolean;
   angle_unit: 'degrees' | 'radians';
   metres_per_unit: number;

@@ -113,27 +113,51 @@ function suffixOf(steps: Step[]): string {
 export const outputName = ({document, steps}: OpenMotion, extension?: string): string =>
   `${stemOf(document.path)}${suffixOf(steps)}${extension ?? extensionOf(document.path)}`;
 
+/** The words of the command that makes a file from what has been done: without steps, a conversion. */
+function lastCommand(
+  document: Description,
+  input: string,
+  out: string,
+  isFirst: boolean,
+): string[] {
+  const isPlayed = document.kind === 'pose_flow' && extensionOf(out) !== extensionOf(document.path);
+  const servoMap = document.servo_map ? ['--servo-map', fileWord(document.servo_map)] : [];
+  return [
+    'kinefile',
+    isPlayed ? 'run' : 'convert',
+    fileWord(input),
+    ...(isPlayed ? servoMap : []),
+    ...readingWords(document, isFirst),
+    '-o',
+    fileWord(out),
+  ];
+}
+
 /** The commands that do what was done to a motion, for a shell. */
 export function commandLine({document, steps}: OpenMotion, out: string): string {
-  const runs = runsOf(steps);
-  if (runs.length === 0) {
-    const words = ['kinefile', 'convert', fileWord(document.path), ...readingWords(document, true)];
-    return [...words, '-o', fileWord(out)].join(' ');
-  }
   const extension = extensionOf(document.path);
+  const runs = runsOf(steps);
+  // Operations keep the kind of a file; what a flow's robot does is another file.
+  const isPlayed = document.kind === 'pose_flow' && extensionOf(out) !== extension;
   const between = (index: number) => `${stemOf(document.path)}.step${index + 1}${extension}`;
+  const inputOf = (index: number) => (index === 0 ? document.path : between(index - 1));
   const commands = runs.map((run, index) => {
-    const isLast = index === runs.length - 1;
+    const isLast = index === runs.length - 1 && !isPlayed;
     return [
       'kinefile',
       'warp' in run ? 'warp' : 'edit',
-      fileWord(index === 0 ? document.path : between(index - 1)),
+      fileWord(inputOf(index)),
       ...('warp' in run ? optionWords(run.warp) : run.edit.map(quoted)),
       ...readingWords(document, index === 0),
       '-o',
       fileWord(isLast ? out : between(index)),
     ].join(' ');
   });
+  if (runs.length === 0 || isPlayed) {
+    commands.push(
+      lastCommand(document, [inputOf(runs.length), out], isPlayed, runs.length === 0).join(' '),
+    );
+  }
   return commands.join(' &&\n');
 }
 

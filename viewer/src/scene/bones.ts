@@ -53,8 +53,16 @@ export interface Bones {
   bones: Bone[];
   bars: THREE.InstancedMesh;
   balls: THREE.InstancedMesh;
-  /** Moves bones and balls to a frame; `size` is the figure's, in the file's unit. */
-  show(poses: FramePoses, size: number, selected: number): void;
+  /**
+   * Moves bones and balls to a frame; `size` is the figure's, in the file's unit. Joints that are
+   * hidden have no ball, and no bones from them.
+   */
+  show(
+    poses: FramePoses,
+    size: number,
+    selected: number,
+    isHidden?: (joint: number) => boolean,
+  ): void;
 }
 
 /** Makes the bones of a skeleton from one material. */
@@ -110,11 +118,15 @@ export function makeBones(document: Description, material: THREE.Material): Bone
     bones,
     bars,
     balls,
-    show(poses, size, selected) {
+    show(poses, size, selected, isHidden = () => false) {
       widths.fill(0);
-      for (let k = 0; k < bones.length; k++) showBar(k, poses, size);
+      for (let k = 0; k < bones.length; k++) {
+        if (isHidden(bones[k].from)) bars.setMatrixAt(k, nothing);
+        else showBar(k, poses, size);
+      }
       for (let joint = 0; joint < numJoints; joint++) {
-        showBall(joint, poses, size, joint === selected ? kSelectedGrowth : 1);
+        if (isHidden(joint)) balls.setMatrixAt(joint, nothing);
+        else showBall(joint, poses, size, joint === selected ? kSelectedGrowth : 1);
       }
       bars.instanceMatrix.needsUpdate = true;
       balls.instanceMatrix.needsUpdate = true;

@@ -39,7 +39,7 @@ export interface Cameras {
   pan(right: number, up: number): void;
   zoom(factor: number): void;
   /** Another camera that looks the same way, for a picture of other proportions; it shows a box. */
-  framed(box: THREE.Box3 | null, aspect: number): View;
+  framed(box: THREE.Box3 | null, aspect: number, halfHeight?: number): View;
   /** Whether some of a box is in view. */
   sees(box: THREE.Box3): boolean;
   /** How wide a box looks, relative to its height. */
@@ -226,10 +226,11 @@ export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Ca
       place(direction(), halfHeight() / factor);
       onChange();
     },
-    framed(box, wanted) {
+    framed(box, wanted, given) {
       const camera: AnyCamera = current.clone();
       const middle = box === null ? target.clone() : box.getCenter(new THREE.Vector3());
-      const half = box === null ? halfHeight() : halfHeightFor(box, camera, wanted);
+      const own = box === null ? halfHeight() : halfHeightFor(box, camera, wanted);
+      const half = given ?? own;
       camera.position.copy(middle).addScaledVector(direction(), half / kSlope);
       if (camera instanceof THREE.PerspectiveCamera) {
         camera.aspect = wanted;

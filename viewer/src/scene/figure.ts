@@ -5,7 +5,7 @@ import * as THREE from 'three';
 import type {Description} from '../core/types.ts';
 import type {FramePoses} from '../poses.ts';
 import {makeBones} from './bones.ts';
-import {hasShapes, makeShapes} from './shapes.ts';
+import {extentsOfShapes, hasShapes, makeShapes} from './shapes.ts';
 import {kSelected} from './theme.ts';
 
 export interface Figure {
@@ -62,6 +62,8 @@ const kSkin = 0.06;
 const kMostSkin = 0.12;
 /** How much darker balls are than bones. */
 const kBallShade = 0.72;
+/** A link whose shapes are smaller, relative to the figure, is told by its bones, too. */
+const kLeastShape = 0.02;
 const kNeutral = new THREE.Color(0xb9c0c9);
 /** How much of the motion's colour shapes without any colour take. */
 const kNeutralTint = 0.45;
@@ -77,6 +79,7 @@ export function makeFigure(document: Description, opacity = 1): Figure {
   });
   const skeleton = makeBones(document, material);
   const shapes = hasShapes(document) ? makeShapes(document, material) : null;
+  const extents = extentsOfShapes(document);
   const meshes = [skeleton.bars, skeleton.balls, ...(shapes?.meshes ?? [])];
   for (const mesh of meshes) {
     mesh.castShadow = mesh.receiveShadow = !isGhost;
@@ -104,8 +107,12 @@ export function makeFigure(document: Description, opacity = 1): Figure {
   const update = () => {
     if (shown === null) return;
     isStale = true;
-    if (areShapes) shapes!.show(shown);
-    else skeleton.show(shown, size, selected);
+    if (areShapes) {
+      shapes!.show(shown);
+      skeleton.show(shown, size, selected, (joint) => extents[joint] >= kLeastShape * size);
+    } else {
+      skeleton.show(shown, size, selected);
+    }
   };
 
   const repaint = () => {
@@ -129,7 +136,6 @@ export function makeFigure(document: Description, opacity = 1): Figure {
   };
 
   const showMeshes = () => {
-    skeleton.bars.visible = skeleton.balls.visible = !areShapes;
     for (const mesh of shapes?.meshes ?? []) mesh.visible = areShapes;
   };
   showMeshes();

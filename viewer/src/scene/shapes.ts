@@ -87,6 +87,10 @@ export interface Shapes {
 export const hasShapes = (document: Description): boolean =>
   document.joints.some((joint) => joint.visuals.length > 0);
 
+/** The largest extent of the shapes of each joint, in the file's unit; 0 without any. */
+export const extentsOfShapes = (document: Description): number[] =>
+  document.joints.map(({visuals}) => Math.max(0, ...visuals.flatMap(({size}) => size)));
+
 /** Makes the shapes of a robot from one material. */
 export function makeShapes(document: Description, material: THREE.Material): Shapes {
   const all = partsOf(document);

@@ -36,8 +36,8 @@ export async function momentsAt(
 export interface Format {
   width: number;
   height: number;
-  /** All moments, as the page does by itself, or what the page shows. */
-  frames: 'all' | 'own' | 'present';
+  /** Each moment, all at one scale; as the page does by itself; or what the page shows. */
+  frames: 'each' | 'own' | 'present';
 }
 
 /** Draws moments, and gives the canvas after each of them, with the width of the grid's cells. */
@@ -54,13 +54,18 @@ export function shoot(
   const ratio = renderer.getPixelRatio();
   renderer.setPixelRatio(1);
   renderer.setSize(width, height, false);
-  const all = moments.map(({poses}) => poses);
-  scene.update(moments[0]?.seconds ?? store.state.seconds, all[0]);
+  scene.update(moments[0]?.seconds ?? store.state.seconds, moments[0]?.poses);
   scene.settle();
-  const box = frames === 'all' ? scene.boxOfMoments(all) : frames === 'own' ? scene.framed() : null;
-  const view = scene.cameras.framed(box, width / height);
+  const aspect = width / height;
+  const boxes = moments.map(({poses}) => {
+    if (frames === 'each') return scene.boxOfMoments([poses]);
+    return frames === 'own' ? scene.framed() : null;
+  });
+  const views = boxes.map((box) => scene.cameras.framed(box, aspect));
+  const halfHeight = Math.max(...views.map((view) => view.halfHeight));
   moments.forEach(({seconds, poses}, index) => {
     scene.update(seconds, poses);
+    const view = scene.cameras.framed(boxes[index], aspect, halfHeight);
     const cell = scene.prepare(view, height);
     renderer.render(scene.stage.scene, view.camera);
     take(canvas, index, cell);

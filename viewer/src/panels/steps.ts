@@ -116,11 +116,10 @@ export const outputName = ({document, steps}: OpenMotion, extension?: string): s
 /** The words of the command that makes a file from what has been done: without steps, a conversion. */
 function lastCommand(
   document: Description,
-  input: string,
-  out: string,
+  [input, out]: [string, string],
+  isPlayed: boolean,
   isFirst: boolean,
 ): string[] {
-  const isPlayed = document.kind === 'pose_flow' && extensionOf(out) !== extensionOf(document.path);
   const servoMap = document.servo_map ? ['--servo-map', fileWord(document.servo_map)] : [];
   return [
     'kinefile',

@@ -190,3 +190,21 @@ test('files that come one by one, in any order, end as those that come together'
     ]);
   }
 });
+
+test('a flow is written as its own format, and as the motion of its robot', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  const core = await openCore();
+  for (const name of ['wave.txt', 'robot.body', 'servos.yaml']) core.addFile(name, example(name));
+  const {documents} = core.ask('open_all', {paths: ['robot.body', 'servos.yaml', 'wave.txt']});
+  const {handle, document} = documents[0];
+  assert.equal(document.has_frames, false);
+  assert.deepEqual(core.ask('check', {handle}).diagnostics, []);
+  const path = (name) => join(root, 'examples', name);
+  const robot = ['--servo-map', path('servos.yaml'), '--skeleton', path('robot.body')];
+  run('run', path('wave.txt'), ...robot, '-o', join(folder, 'wave.seq'), '--quiet');
+  const [seq] = core.ask('write', {handle, name: 'wave.seq'}).files;
+  assert.equal(Buffer.from(seq.bytes).toString(), readFileSync(join(folder, 'wave.seq'), 'utf8'));
+  const [txt] = core.ask('write', {handle, name: 'again.txt'}).files;
+  assert.deepEqual(Buffer.from(txt.bytes), example('wave.txt'));
+});

@@ -6,6 +6,7 @@ import panelsEn from './words/panels.en.json';
 import panelsJa from './words/panels.ja.json';
 import sceneEn from './words/scene.en.json';
 import sceneJa from './words/scene.ja.json';
+import tablesJa from './words/tables.ja.json';
 import timelineEn from './words/timeline.en.json';
 import timelineJa from './words/timeline.ja.json';
 
@@ -35,6 +36,49 @@ export const t = (word: Word, ...values: (string | number)[]): string =>
 /** The text of a word that may not be there, such as one made from a name of the core's tables. */
 export const translated = (word: string, otherwise: string): string =>
   kWords[language][word as Word] ?? otherwise;
+
+type Texts = Record<string, string>;
+
+/** What the core's tables and sentences are in each language; they are English themselves. */
+const kTables: Partial<Record<Language, typeof tablesJa>> = {ja: tablesJa};
+
+/** The label of a name of the core's tables; the name itself if the language has none. */
+export const nameOf = (table: 'operations' | 'options' | 'choices', name: string): string =>
+  (kTables[language]?.[table] as Texts | undefined)?.[name] ?? name;
+
+/** A sentence with places {0}, {1}, ... as what finds them. */
+function patternOf(sentence: string): RegExp {
+  const literal = sentence.replace(/[.*+?^$()|[\]\\]/g, '\\$&');
+  return new RegExp(`^${literal.replace(/\{\d\}/g, '(.+?)')}$`);
+}
+
+/** What the core says, by the first sentence that fits; undefined: none does. */
+function sentenceOf(text: string, {texts, sentences}: typeof tablesJa): string | undefined {
+  const known = (texts as Texts)[text];
+  if (known !== undefined) return known;
+  for (const [english, own] of Object.entries(sentences)) {
+    const found = patternOf(english).exec(text)?.slice(1);
+    if (found !== undefined) return own.replace(/\{(\d)\}/g, (_, index) => found[Number(index)]);
+  }
+  return undefined;
+}
+
+/** A list of reasons; undefined: one of them is not known. */
+function reasonsOf(text: string, tables: typeof tablesJa): string | undefined {
+  const parts = text.split(', ').map((part) => sentenceOf(part, tables));
+  if (parts.includes(undefined)) return undefined;
+  return new Intl.ListFormat(language).format(parts as string[]);
+}
+
+/** A text of the core in the page's language, where that is known; else as the core says it. */
+export function fromCore(text: string): string {
+  const tables = kTables[language];
+  if (tables === undefined) return text;
+  const [first, axis, against] = text.split(/; for (.) speaks: /);
+  const whole = sentenceOf(text, tables) ?? reasonsOf(first, tables);
+  if (against === undefined || whole === undefined) return whole ?? text;
+  return t('evidence_against', whole, axis, reasonsOf(against, tables) ?? against);
+}
 
 /** Fills the elements that name their word: data-word is the text, data-title the title and label. */
 export function fillWords(): void {

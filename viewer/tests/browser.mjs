@@ -4,6 +4,7 @@ import {execFileSync} from 'node:child_process';
 import {mkdirSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
+import {build} from 'esbuild';
 import {chromium} from 'playwright-core';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -62,3 +63,10 @@ export async function drop(tab, files, x = 400, y = 300) {
 
 /** Runs the command. */
 export const run = (...words) => execFileSync(kinefile, words, {encoding: 'utf8'});
+
+/** The functions of a module of the page that needs no page. */
+export async function imported(module) {
+  const entry = join(root, 'viewer/src', module);
+  const made = await build({entryPoints: [entry], bundle: true, write: false, format: 'esm'});
+  return import(`data:text/javascript,${encodeURIComponent(made.outputFiles[0].text)}`);
+}

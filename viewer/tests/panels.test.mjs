@@ -5,8 +5,7 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {build} from 'esbuild';
-import {drop, kinefile, launch, openPage, out, phone, root} from './browser.mjs';
+import {drop, imported, kinefile, launch, openPage, out, phone, root} from './browser.mjs';
 
 const folder = join(out, 'panels');
 mkdirSync(folder, {recursive: true});
@@ -80,13 +79,6 @@ const frames = (tab) =>
   tab.evaluate(() => document.querySelector('.facts')?.textContent.match(/Frames(\d+)/)?.[1]);
 const isShown = (tab, selector, text) =>
   tab.waitForSelector(`${selector}:has-text("${text}")`, {timeout: 10_000});
-
-/** The functions of a module of the page that needs no page. */
-async function imported(module) {
-  const entry = join(root, 'viewer/src', module);
-  const made = await build({entryPoints: [entry], bundle: true, write: false, format: 'esm'});
-  return import(`data:text/javascript,${encodeURIComponent(made.outputFiles[0].text)}`);
-}
 
 test('steps become commands that a shell takes: one a warp, one for operations in a row', async () => {
   const {commandLine, operationWord, outputName, quoted, stepText} =

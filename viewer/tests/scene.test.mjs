@@ -378,7 +378,13 @@ describe('the scene', {concurrency: false}, () => {
       ...phone,
       reducedMotion: 'reduce',
     });
-    assert.deepEqual((await labels(tab, 1)).slice(0, 5), ['自由', '追従', '正面', '側面', '上面']);
+    assert.deepEqual((await labels(tab, 1)).slice(0, 5), [
+      '自由視点',
+      '追従',
+      '正面',
+      '側面',
+      '上面',
+    ]);
     const toggle = tab.locator('#shown button', {hasText: /^残像$/});
     assert.equal(await toggle.isVisible(), false);
     await tab.locator('#views .more').dispatchEvent('click');

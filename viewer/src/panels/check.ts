@@ -5,7 +5,7 @@ import type {Diagnostic, Mark, OpenedFile} from '../core/types.ts';
 import {button, el} from '../elements.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
-import {t} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {diagnosticList} from './diagnostic.ts';
 import {latestOnly} from './latest.ts';
@@ -90,7 +90,7 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     return el('li', {}, [
       el('button', {type: 'button', class: `mark ${mark.severity}`, on: {click: go}}, [
         el('span', {class: 'faint'}, [`${place}  ${joint}`]),
-        el('span', {}, [mark.message]),
+        el('span', {}, [fromCore(mark.message)]),
       ]),
     ]);
   };

@@ -2,7 +2,7 @@
 // A message about a file: its place, its sentence, the line, and what its code means.
 import type {Diagnostic} from '../core/types.ts';
 import {button, el} from '../elements.ts';
-import {t} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 
 /** What docs/errors.md says of each code; the packer puts it in. */
 declare const ERRORS: Record<string, [title: string, body: string]>;
@@ -68,7 +68,7 @@ function item(diagnostic: Diagnostic, extra: Extra): HTMLElement {
       el('span', {class: 'severity'}, [t(`severity_${severity}`)]),
       ` ${placeOf(diagnostic)}`,
     ]),
-    el('p', {class: 'sentence'}, [message]),
+    el('p', {class: 'sentence'}, [fromCore(message)]),
     ...(excerpt !== '' ? [excerptOf(diagnostic)] : []),
     explained ?? el('span', {class: 'faint'}, [code]),
     ...extra(diagnostic),

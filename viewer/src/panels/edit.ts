@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
 // What can be done to a motion, and what was done.
-import type {OperationForm, OperationInfo} from '../core/types.ts';
+import type {OperationForm, OperationInfo, Step} from '../core/types.ts';
 import {button, el} from '../elements.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
-import {t} from '../words.ts';
+import {fromCore, nameOf, t} from '../words.ts';
 import {compareWithOriginal} from './compare.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
 import {type Field, makeField} from './fields.ts';
 import {commandLine, formFor, operationWord, outputName, stepText} from './steps.ts';
+
+/** An operation as the command writes it, after its name in the page's language if it has one. */
+function headOf({name}: OperationInfo, {usage}: OperationForm): HTMLElement {
+  const own = nameOf('operations', name);
+  if (own === name) return el('b', {}, [usage]);
+  return el('span', {}, [el('b', {}, [own]), ' ', el('code', {}, [usage])]);
+}
+
+/** The name of a step in the page's language; nothing if that is the command's word. */
+function stepName(step: Step): string[] {
+  const word = 'warp' in step ? 'warp' : step.operation.split('=')[0];
+  const own = nameOf('operations', word);
+  return own === word ? [] : [`${own} `];
+}
 
 /** Makes the panel. */
 export function makeEditPanel({store, actions, core, tables}: PanelContext): HTMLElement {
@@ -71,7 +85,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
           },
         },
       },
-      [el('b', {}, [form.usage]), el('span', {class: 'faint'}, [info.help])],
+      [headOf(info, form), el('span', {class: 'faint'}, [fromCore(info.help)])],
     );
     const made = el('li', {}, isOpen ? [head, formOf(motion, info, form)] : [head]);
     head.dataset.name = info.name;
@@ -92,7 +106,9 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     if (motion === undefined) return;
     const lower = search.value.trim().toLowerCase();
     const isFound = ({name, help}: OperationInfo) =>
-      name.includes(lower) || help.toLowerCase().includes(lower);
+      [name, help, nameOf('operations', name), fromCore(help)].some((text) =>
+        text.toLowerCase().includes(lower),
+      );
     const items = tables.operations.filter(isFound).flatMap((info) => {
       const form = formFor(info, motion.document);
       return form === null ? [] : [item(motion, info, form)];
@@ -109,7 +125,8 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
       {title: t('remove_step', text)},
     );
     remove.setAttribute('aria-label', t('remove_step', text));
-    return el('li', {}, [el('code', {}, [text]), remove]);
+    const name = stepName(motion.steps[index]);
+    return el('li', {}, [el('span', {}, [...name, el('code', {}, [text])]), remove]);
   };
 
   const drawDone = (state: Readonly<State>) => {

@@ -4,7 +4,7 @@ import {type Core, isFailure} from '../core/core.ts';
 import type {FormatInfo} from '../core/types.ts';
 import {button, byId, el} from '../elements.ts';
 import type {Store} from '../state.ts';
-import {t} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 
 /** Makes what the empty page shows; the formats are those that the core reads. */
 export function makeEmpty(core: Core, store: Store): void {
@@ -26,7 +26,7 @@ export function makeEmpty(core: Core, store: Store): void {
           'ul',
           {class: 'formats', ariaLabel: t('empty_formats')},
           read.map(({name, description, extensions}) =>
-            el('li', {title: description}, [
+            el('li', {title: fromCore(description)}, [
               el('b', {}, [name]),
               ` ${extensions.map((one) => (one.startsWith('.') ? one : `.${one}`)).join(' ')}`,
             ]),

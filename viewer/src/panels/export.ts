@@ -5,7 +5,7 @@ import {isFailure} from '../core/core.ts';
 import type {Diagnostic, FormatInfo, WrittenFile} from '../core/types.ts';
 import {button, el, offerFile} from '../elements.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
-import {t} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
@@ -98,7 +98,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
       },
       written.map((own) =>
         el('option', {value: own.name, selected: own.name === format}, [
-          `${own.extensions[0]}  ${own.description}`,
+          `${own.extensions[0]}  ${fromCore(own.description)}`,
         ]),
       ),
     );
@@ -149,7 +149,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
     name = outputName(motion, isAsRead ? extensionOf(motion.document.path) : first);
     const tablesOfPoses = withPoses.map((one) =>
       button(one.extensions[0].slice(1).toUpperCase(), () => savePoses(motion, one), {
-        title: one.description,
+        title: fromCore(one.description),
       }),
     );
     const pictures =

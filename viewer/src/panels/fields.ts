@@ -2,7 +2,7 @@
 // A control for an entry of a table of options.
 import type {OptionInfo} from '../core/types.ts';
 import {el} from '../elements.ts';
-import {t} from '../words.ts';
+import {fromCore, nameOf, t} from '../words.ts';
 
 export interface Field {
   info: OptionInfo;
@@ -14,6 +14,12 @@ export interface Field {
 
 let lastId = 0;
 
+/** A word of a choice, after what it is called in the page's language. */
+function choiceText(word: string): string {
+  const own = nameOf('choices', word);
+  return own === word ? word : `${own} (${word})`;
+}
+
 /** A select of words; the first one stands for none of them. */
 export function selectOf(words: string[], none: string | null, value: string): HTMLSelectElement {
   const all = none === null ? words : ['', ...words];
@@ -21,7 +27,7 @@ export function selectOf(words: string[], none: string | null, value: string): H
     'select',
     {},
     all.map((word) =>
-      el('option', {value: word, selected: word === value}, [word || (none ?? '')]),
+      el('option', {value: word, selected: word === value}, [choiceText(word) || (none ?? '')]),
     ),
   );
 }
@@ -43,15 +49,21 @@ function controlOf(info: OptionInfo, value: string, files: string[]): Field['con
   return control;
 }
 
+/** The name of an option in the page's language, and small the command's word for it. */
+function labelOf(name: string): (Node | string)[] {
+  const own = nameOf('options', name);
+  return own === name ? [name] : [`${own} `, el('code', {}, [name])];
+}
+
 /** Makes a labelled control. `files`: those that a parameter of type file can name. */
 export function makeField(info: OptionInfo, value: string, files: string[] = []): Field {
   const control = controlOf(info, value, files);
   control.id = `field-${++lastId}`;
   control.name = info.name;
-  const help = el('small', {id: `${control.id}-help`}, [info.help]);
+  const help = el('small', {id: `${control.id}-help`}, [fromCore(info.help)]);
   control.setAttribute('aria-describedby', help.id);
   if (info.is_required) control.setAttribute('aria-required', 'true');
-  const label = el('label', {htmlFor: control.id}, [info.name]);
+  const label = el('label', {htmlFor: control.id}, labelOf(info.name));
   const isFlag = info.type === 'flag';
   const root = el('div', {class: isFlag ? 'field flag' : 'field'}, [
     ...(isFlag ? [control, label] : [label, control]),

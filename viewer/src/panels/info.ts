@@ -4,7 +4,7 @@ import type {Description, OptionInfo} from '../core/types.ts';
 import {el} from '../elements.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {numFrames} from '../times.ts';
-import {t} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {makeField, selectOf} from './fields.ts';
 import {angleUnit, inMetres, lengthUnit, shortNumber, unitName} from './numbers.ts';
@@ -39,7 +39,7 @@ function directionText({facing}: Description): string {
 }
 
 const certainty = (own: 'known' | 'clear' | 'doubtful', reason: string): string =>
-  `${t(`certainty_${own}`)}${reason ? `: ${reason}` : ''}`;
+  reason ? t('with_reason', t(`certainty_${own}`), fromCore(reason)) : t(`certainty_${own}`);
 
 function factsOf(document: Description): Fact[] {
   const {time, extent, up, facing, unit, height} = document;
@@ -64,7 +64,7 @@ function factsOf(document: Description): Fact[] {
     [t('fact_unit'), t('unit_is', size), certainty(unit.certainty, unit.reason)],
     [t('fact_angles'), angleUnit(document)],
     [t('fact_up'), kAxes[up.axis], certainty(up.certainty, up.reason)],
-    [t('fact_facing'), directionText(document), facing.reason],
+    [t('fact_facing'), directionText(document), fromCore(facing.reason)],
     [
       t('fact_height'),
       `${shortNumber(height)} ${lengthUnit(document)}`,
@@ -174,12 +174,12 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     // A file that an option names is chosen among the files of the page, above.
     const options = (format?.read_options ?? []).filter(({type}) => type !== 'file');
     root.replaceChildren(
-      el('h2', {}, [format?.description ?? motion.document.format]),
+      el('h2', {}, [fromCore(format?.description ?? motion.document.format)]),
       factList(factsOf(motion.document)),
       el(
         'ul',
         {class: 'sentences'},
-        motion.document.facts.map((fact) => el('li', {}, [fact])),
+        motion.document.facts.map((fact) => el('li', {}, [fromCore(fact)])),
       ),
       ...companions(motion),
       el('h2', {}, [t('read_options')]),

@@ -3,7 +3,7 @@
 import type {Contact, Mark} from '../core/types.ts';
 import type {OpenMotion} from '../state.ts';
 import {endOf, numFrames, secondsOf, secondsPerFrame} from '../times.ts';
-import {t, type Word} from '../words.ts';
+import {fromCore, t, type Word} from '../words.ts';
 import {kLeft, kRight, type TimeAxis, tickStep} from './axis.ts';
 import type {Marks} from './marks.ts';
 import {sliderAttributes, svg} from './svg.ts';
@@ -164,7 +164,7 @@ export function drawMarks(
     const x = axis.x(secondsOf(motion, mark.worst_frame), width);
     if (x < kLeft - 1 || x > width - kRight + 1 || x - last < kMarkSpace) continue;
     last = x;
-    const text = `${t(kNames[mark.kind])}: ${mark.message}`;
+    const text = `${t(kNames[mark.kind])}: ${fromCore(mark.message)}`;
     const shape = svg('g', {class: `mark ${mark.kind}`, transform: `translate(${x} ${middle})`}, [
       svg('title', {}, [text]),
       svg('rect', {class: 'reach', x: -7, y: -8, width: 14, height: 16}),

@@ -5,6 +5,7 @@ import type {Contact, Mark} from '../core/types.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type Store} from '../state.ts';
 import {shownFrame} from '../times.ts';
+import {fromCore} from '../words.ts';
 
 export interface Marks {
   readonly all: readonly Mark[];
@@ -85,7 +86,7 @@ export function makeMarks(core: Core, store: Store): Marks {
     select(mark) {
       goToFrame(store, mark.worst_frame);
       store.set({joint: mark.joint});
-      marks.tell(mark.message);
+      marks.tell(fromCore(mark.message));
     },
     tell(text) {
       for (const teller of tellers) teller(text);

@@ -7,7 +7,7 @@ import type {OptionInfo} from '../core/types.ts';
 import {el, offerFile} from '../elements.ts';
 import {notify} from '../notify.ts';
 import {activeMotion, type Store} from '../state.ts';
-import {t, translated, type Word} from '../words.ts';
+import {fromCore, t, translated, type Word} from '../words.ts';
 import {type Icon, iconButton, titled} from './icons.ts';
 import {commandLine, outputName} from './steps.ts';
 import type {Warping} from './warping.ts';
@@ -157,7 +157,7 @@ export function makeWarpControls(
     (isFirst ? options : moreOptions).append(el('label', {}, [label, field]));
     store.on(['language'], () => {
       label.textContent = translated(`warp_${wordOf(option.name)}`, option.name);
-      titled(field, `${label.textContent}: ${option.help}`);
+      titled(field, `${label.textContent}: ${fromCore(option.help)}`);
       if (!(field instanceof HTMLSelectElement)) return;
       const {value} = field;
       field.replaceChildren(

@@ -144,7 +144,11 @@ export function drawWarpMap(
     svg('rect', {class: 'ground', x: 0, y: 0, width, height, 'data-grip': 'ground'}),
     ...grid(map, axis, scale, width, height),
     svg('text', {class: 'label name', x: 4, y: 10}, [t('warp_old')]),
-    svg('text', {class: 'label name', x: 4, y: height - 5}, [t('warp_new')]),
+    svg(
+      'text',
+      {class: 'label name', x: width - 4, y: height - kBottom - 5, 'text-anchor': 'end'},
+      [t('warp_new')],
+    ),
     svg('clipPath', {id: kClip}, [
       svg('rect', {x: kLeft - 2, y: 0, width: Math.max(0, width - kLeft), height}),
     ]),

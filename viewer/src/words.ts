@@ -39,12 +39,14 @@ export const translated = (word: string, otherwise: string): string =>
 
 type Texts = Record<string, string>;
 
-/** What the core's tables and sentences are in each language; they are English themselves. */
-const kTables: Partial<Record<Language, typeof tablesJa>> = {ja: tablesJa};
-
-/** The label of a name of the core's tables; the name itself if the language has none. */
-export const nameOf = (table: 'operations' | 'options' | 'choices', name: string): string =>
-  (kTables[language]?.[table] as Texts | undefined)?.[name] ?? name;
+/** What the core's tables and sentences are in another language than English, which is theirs. */
+interface CoreWords {
+  operations: Texts;
+  options: Texts;
+  choices: Texts;
+  texts: Texts;
+  sentences: [pattern: RegExp, own: string][];
+}
 
 /** A sentence with places {0}, {1}, ... as what finds them. */
 function patternOf(sentence: string): RegExp {
@@ -52,32 +54,43 @@ function patternOf(sentence: string): RegExp {
   return new RegExp(`^${literal.replace(/\{\d\}/g, '(.+?)')}$`);
 }
 
+const coreWords = (words: Record<keyof CoreWords, Texts>): CoreWords => ({
+  ...words,
+  sentences: Object.entries(words.sentences).map(([english, own]) => [patternOf(english), own]),
+});
+
+const kCoreWords: Partial<Record<Language, CoreWords>> = {ja: coreWords(tablesJa)};
+
+/** The label of a name of the core's tables; the name itself if the language has none. */
+export const nameOf = (table: 'operations' | 'options' | 'choices', name: string): string =>
+  kCoreWords[language]?.[table][name] ?? name;
+
 /** What the core says, by the first sentence that fits; undefined: none does. */
-function sentenceOf(text: string, {texts, sentences}: typeof tablesJa): string | undefined {
-  const known = (texts as Texts)[text];
+function sentenceOf(text: string, {texts, sentences}: CoreWords): string | undefined {
+  const known = texts[text];
   if (known !== undefined) return known;
-  for (const [english, own] of Object.entries(sentences)) {
-    const found = patternOf(english).exec(text)?.slice(1);
+  for (const [pattern, own] of sentences) {
+    const found = pattern.exec(text)?.slice(1);
     if (found !== undefined) return own.replace(/\{(\d)\}/g, (_, index) => found[Number(index)]);
   }
   return undefined;
 }
 
 /** A list of reasons; undefined: one of them is not known. */
-function reasonsOf(text: string, tables: typeof tablesJa): string | undefined {
-  const parts = text.split(', ').map((part) => sentenceOf(part, tables));
+function reasonsOf(text: string, words: CoreWords): string | undefined {
+  const parts = text.split(', ').map((part) => sentenceOf(part, words));
   if (parts.includes(undefined)) return undefined;
   return new Intl.ListFormat(language).format(parts as string[]);
 }
 
 /** A text of the core in the page's language, where that is known; else as the core says it. */
 export function fromCore(text: string): string {
-  const tables = kTables[language];
-  if (tables === undefined) return text;
+  const words = kCoreWords[language];
+  if (words === undefined) return text;
   const [first, axis, against] = text.split(/; for (.) speaks: /);
-  const whole = sentenceOf(text, tables) ?? reasonsOf(first, tables);
+  const whole = sentenceOf(text, words) ?? reasonsOf(first, words);
   if (against === undefined || whole === undefined) return whole ?? text;
-  return t('evidence_against', whole, axis, reasonsOf(against, tables) ?? against);
+  return t('evidence_against', whole, axis, reasonsOf(against, words) ?? against);
 }
 
 /** Fills the elements that name their word: data-word is the text, data-title the title and label. */

@@ -516,6 +516,22 @@ test('a phone, in Japanese and dark', async () => {
     await shot(tab, `phone_${panel}`);
   }
   assert.equal(await tab.textContent('#tab-export'), '書き出し');
+  // What the core's tables say has Japanese beside the command's words, and is found by both.
+  await openTab(tab, 'edit');
+  for (const wanted of ['左右', 'mirror']) {
+    await tab.fill('.edit-panel .search', wanted);
+    assert.equal(await tab.locator('.operation').count(), 1);
+    assert.equal(await tab.textContent('.operation b'), '左右反転');
+    assert.equal(await tab.textContent('.operation code'), 'mirror[=x|y|z]');
+  }
+  await tab.tap('.operation');
+  await isShown(tab, '.field label', '軸 axis');
+  await isShown(tab, '.field small', '反転する方向の軸');
+  await tab.tap('.operations .primary');
+  await isShown(tab, '.steps li', '左右反転 mirror');
+  await openTab(tab, 'info');
+  await isShown(tab, '.field label', 'フレームレート fps');
+  await isShown(tab, '.facts small', '関節名の左右（');
   assert.deepEqual(faults, []);
   await context.close();
 });

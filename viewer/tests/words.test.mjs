@@ -68,6 +68,14 @@ test('sentences of the core are in Japanese with what they name, others stay', (
   const turn = "joint 'Arm' turns by 90 degrees from frame 3 to 4";
   assert.equal(fromCore(turn), '関節「Arm」がフレーム 3 から 4 で 90 度回転します');
   assert.match(fromCore(`${turn} and is back in frame 6`), /フレーム 6 で戻ります/);
+  const fast =
+    "joint 'Arm' moves at up to 25 a second (to frame 30), its limit is 6.28; " +
+    'too fast in 3 frames, first in 29';
+  assert.equal(
+    fromCore(fast),
+    '関節「Arm」の速度が毎秒 25（フレーム 30 まで）で上限 6.28 を超過。' +
+      '超過フレーム数：3、最初：フレーム 29',
+  );
   assert.equal(fromCore('expected a list, found none'), 'expected a list, found none');
   setLanguage('en');
   assert.equal(fromCore(turn), turn);

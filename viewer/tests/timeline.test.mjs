@@ -72,6 +72,27 @@ async function withKey(tab) {
   await tab.waitForSelector('.key');
 }
 
+for (const [name, options] of [
+  ['desktop', {}],
+  ['phone', {...phone, locale: 'en-GB'}],
+]) {
+  test(`the empty page is seen and can be clicked: ${name}`, async (t) => {
+    const {tab, faults} = await withPage(t, [], options);
+    await tab.waitForSelector('#empty .formats li');
+    const {x, y} = await middleOf(tab, '#empty .primary');
+    const isOnTop = await tab.evaluate(
+      ([left, top]) => document.elementFromPoint(left, top)?.closest('#empty .primary') !== null,
+      [x, y],
+    );
+    assert.ok(isOnTop, 'something lies over the button');
+    await tab.screenshot({path: join(out, `timeline-empty-${name}.png`)});
+    const press = options.hasTouch ? tab.touchscreen.tap(x, y) : tab.mouse.click(x, y);
+    const [chooser] = await Promise.all([tab.waitForEvent('filechooser'), press]);
+    assert.equal(chooser.isMultiple(), true);
+    assert.deepEqual(faults, []);
+  });
+}
+
 test('frames: keys, field, scrubbing', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await press(tab, 'ArrowRight', 'ArrowRight', 'ArrowLeft');

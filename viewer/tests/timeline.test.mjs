@@ -135,6 +135,26 @@ test('playing: space, speed, repeat, range', async (t) => {
   await press(tab, 'Space');
   assert.equal(await tab.getAttribute('.play', 'aria-label'), 'Play', 'after a click, too');
 
+  // A name is drawn anew by its click, and is given the focus again.
+  const playing = () => tab.getAttribute('.play', 'aria-label');
+  for (const selector of ['.motion .title', '#tab-info', '.warp-button', '.warp-button']) {
+    await tab.click(selector);
+    await press(tab, 'Space');
+    assert.equal(await playing(), 'Pause', `after a click on ${selector}`);
+    await press(tab, 'Space');
+    assert.equal(await playing(), 'Play');
+  }
+  await tab.click('[aria-label="Close small.bvh"] >> nth=1');
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
+  await tab.locator('[aria-label="Hide small.bvh"]').focus();
+  await press(tab, 'Space');
+  await tab.waitForSelector('[aria-label="Show small.bvh"]');
+  await press(tab, 'Space');
+  await tab.waitForSelector('[aria-label="Hide small.bvh"]');
+  assert.equal(await playing(), 'Play', 'a button that the keyboard went to is pressed');
+  await tab.locator('[aria-label="Hide small.bvh"]').blur();
+  await press(tab, 'Home');
+
   await press(tab, '[');
   assert.equal(await tab.inputValue('#speed'), '0.75');
   await press(tab, ']', ']');

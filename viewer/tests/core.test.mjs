@@ -168,7 +168,11 @@ test('a motion is written as the command writes it, and its source is given back
 
 test('files that come one by one, in any order, end as those that come together', async () => {
   const names = ['servos.yaml', 'wave.txt', 'robot.body', 'bow.seq'];
-  const orders = [names, [...names].reverse(), ['robot.body', 'bow.seq', 'servos.yaml', 'wave.txt']];
+  const orders = [
+    names,
+    [...names].reverse(),
+    ['robot.body', 'bow.seq', 'servos.yaml', 'wave.txt'],
+  ];
   for (const order of orders) {
     const core = await openCore();
     let faults = [];

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {data, drop, launch, openPage, out, page, phone} from './browser.mjs';
+import {data, drop, launch, openPage, out, page, phone, root} from './browser.mjs';
 import {carryingPage, fileOf, smallAmc, smallAsf, smallBvh} from './motions.mjs';
 
 const kSmall = {viewport: {width: 900, height: 620}, reducedMotion: 'reduce'};
@@ -331,6 +331,21 @@ test('time warp: keys by keyboard and numbers, tails, refusals, command, saving'
   const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('.warp_save')]);
   assert.equal(download.suggestedFilename(), 'small_warped.bvh');
   assert.match(readFileSync(await download.path(), 'utf8'), /^Frames: 130$/m);
+  assert.deepEqual(faults, []);
+});
+
+test('a flow has no time warp, and says why', async (t) => {
+  const files = ['robot.body', 'servos.yaml', 'wave.txt'];
+  const {tab, faults} = await withPage(
+    t,
+    files.map((name) => join(root, 'examples', name)),
+  );
+  await tab.waitForSelector('.warp-button:disabled');
+  assert.match(await tab.getAttribute('.warp-button', 'title'), /no frames/);
+  await press(tab, 'w');
+  await waitText(tab, '#status', 'no frames');
+  assert.equal(await count(tab, '.motion'), 1);
+  assert.equal(await tab.isVisible('.warp'), false);
   assert.deepEqual(faults, []);
 });
 

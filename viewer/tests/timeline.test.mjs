@@ -443,6 +443,24 @@ test('a file that is not valid shows its message, a file of another kind its nam
   assert.deepEqual(faults, []);
 });
 
+test('a file of another kind that comes alone says so', async (t) => {
+  const notes = fileOf('notes.md', '# nothing that moves\n');
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [notes]);
+  await tab.waitForSelector('.file.unknown');
+  const said = await textOf(tab, '.file.unknown');
+  assert.match(said, /notes\.md.*not a motion file that kinefile reads/);
+  await waitText(tab, '#status', 'notes.md: not a motion file');
+  await tab.screenshot({path: join(out, 'timeline-unknown.png')});
+  await drop(tab, [bvh]);
+  await tab.waitForSelector('.motion');
+  // Beside an open motion, and with others, it is said all the same.
+  await drop(tab, [fileOf('more.md', '# nothing either\n')]);
+  await waitText(tab, '#status', 'more.md: not a motion file');
+  await waitText(tab, '#files summary', '2');
+  assert.deepEqual(faults, []);
+});
+
 test('names with markup are text', async (t) => {
   const name = '<img src=x onerror=alert(1)>';
   const hostile = fileOf('<img src=x onerror=alert(1)>.bvh', smallBvh(20, ['Hips', name, 'Head']));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawn parts of the track: ruler, lanes, ground contacts, marks.
 import type {Contact, Mark} from '../core/types.ts';
+import {fullName} from '../motionname.ts';
 import type {OpenMotion} from '../state.ts';
 import {endOf, numFrames, secondsOf, secondsPerFrame} from '../times.ts';
 import {t, type Word} from '../words.ts';
@@ -81,14 +82,15 @@ export function drawLane(
   isActive: boolean,
   isMovable: boolean,
 ): SVGElement {
-  const {handle, title, colour, offset, isVisible} = motion;
+  const {handle, colour, offset, isVisible} = motion;
+  const name = fullName(motion);
   const within = (x: number) => Math.max(kLeft, Math.min(width - kRight, x));
   const left = within(axis.x(offset, width));
   const right = Math.max(left + 3, within(axis.x(endOf(motion), width)));
   const attributes = isMovable
     ? sliderAttributes(
         `lane:${handle}`,
-        t('lane', title),
+        t('lane', name),
         [-1e6, 1e6],
         offset,
         `${offset.toFixed(3)} s`,
@@ -104,7 +106,7 @@ export function drawLane(
   });
   const classes = ['lane', isActive ? 'active' : '', isVisible ? '' : 'off'];
   return svg('g', {class: classes.filter(Boolean).join(' '), 'data-lane': handle, ...attributes}, [
-    svg('title', {}, [isMovable ? t('lane', title) : title]),
+    svg('title', {}, [isMovable ? t('lane', name) : name]),
     svg('rect', {class: 'reach', x: left, y: top, width: right - left, height: kLaneHeight}),
     bar,
   ]);

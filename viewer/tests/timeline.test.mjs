@@ -250,6 +250,8 @@ test('time warp: a dragged key changes the frames, and one undo takes the drag b
   assert.ok(title.startsWith('50 → ') && moved > 55 && Number.isInteger(moved), title);
   await waitFrame(tab, moved);
   await waitText(tab, '.motion.active', 'time warp');
+  assert.equal(await count(tab, '[aria-label="Hide small.bvh (time warp)"]'), 1);
+  assert.equal(await textOf(tab, '.lane.active title'), 'Start of small.bvh (time warp)');
   await tab.fill('#frame', '1');
   await press(tab, 'Enter');
   await waitText(tab, '.readout.others', `source ${Math.round((50 / moved) * 1000) / 1000}`);
@@ -642,8 +644,17 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.tap('.warp-button');
   await tab.waitForSelector('.warp:not([hidden])');
   assert.equal(await tab.isVisible('#side'), false, 'there is no room for both');
+  const [hint, map] = [await placeOf('.warp-help'), await placeOf('.warp-map')];
+  assert.ok(hint.y >= map.y + map.height, 'the hint hides nothing of the curve');
+  await fits('the hint');
+  await tab.screenshot({path: join(out, 'timeline-phone-hint.png')});
+  await tab.tap('.warp-close');
+  await tab.waitForSelector('.warp', {state: 'hidden'});
+  await tab.tap('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
   await tab.tap('.warp_add');
   await tab.waitForSelector('.key');
+  assert.equal(await tab.isVisible('.warp-help'), false);
   await fits('time warp');
   await waitText(tab, '.motions-chip .tag', '2');
   await tab.tap('.motions-chip');

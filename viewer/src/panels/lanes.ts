@@ -70,7 +70,7 @@ function drawSeconds(
 
 const tick = (x: number, height: number, text: string, isWithin: boolean): SVGElement[] => [
   svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
-  svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [text]),
+  svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 15}, [text]),
 ];
 
 /** The lane of a motion: how long it is, and when it starts. */

@@ -231,8 +231,9 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     ]);
     playhead.replaceChildren(
       svg('rect', {class: 'reach', x: -9, y: 0, width: 18, height}),
-      svg('path', {class: 'line', d: `M0 14V${height}`}),
-      svg('path', {class: 'head', d: 'M-6 6h12v7l-6 6-6-6z'}),
+      // Below the numbers of the ruler, which it would hide.
+      svg('path', {class: 'line', d: `M0 18V${height}`}),
+      svg('path', {class: 'head', d: 'M-6 18h12v4l-6 6-6-6z'}),
     );
     movePlayhead();
   };

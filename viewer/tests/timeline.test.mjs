@@ -124,6 +124,16 @@ test('frames: keys, field, scrubbing', async (t) => {
   assert.deepEqual(faults, []);
 });
 
+test('the playhead hides no number of the ruler', async (t) => {
+  const {tab} = await withPage(t, [bvh]);
+  const [head, label] = await tab.evaluate(() => {
+    const box = (selector) => document.querySelector(selector).getBoundingClientRect();
+    return [box('.playhead .head').top, box('.track .label').bottom];
+  });
+  // The box of a text has room below its digits.
+  assert.ok(head >= label - 3, `the head begins at ${head}, the number ends at ${label}`);
+});
+
 test('playing: space, speed, repeat, range', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await press(tab, 'Space');
@@ -219,6 +229,13 @@ test('views and what is shown: each key', async (t) => {
   assert.equal(await tab.isVisible('#time'), true);
   await press(tab, '?');
   assert.equal(await tab.isVisible('#help'), true);
+  const together = await tab.$$eval('#help .keys td:first-child', (all) =>
+    all.map((cell) => [cell.textContent, cell.querySelectorAll('kbd').length]),
+  );
+  assert.deepEqual(
+    together.find(([text]) => text.includes('Ctrl Z')),
+    ['U / Ctrl Z', 3],
+  );
   await tab.screenshot({path: join(out, 'timeline-help.png')});
   assert.match(await textOf(tab, '#help'), /kinefile \d+\.\d+\.\d+/);
   assert.match(await textOf(tab, '#help'), /2010-2026 three\.js authors/);
@@ -681,6 +698,11 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.waitForSelector('#help[open]');
   const wide = await tab.$eval('#help', (help) => help.scrollWidth - help.clientWidth);
   assert.ok(wide <= 0, `the help is ${wide} pixels too wide`);
+  const sections = await tab.$$eval('#help section', (all) => all.map((one) => one.className));
+  assert.deepEqual(sections, ['gestures', 'keys', 'about']);
+  assert.doesNotMatch(await textOf(tab, '#help .columns'), /Ctrl|Alt\b|[Ww]heel|[Rr]ight button/);
+  const scrolls = await tab.$eval('#help .columns', (one) => one.scrollHeight - one.clientHeight);
+  assert.ok(scrolls > 0, 'the columns scroll below the heading');
   await tab.screenshot({path: join(out, 'timeline-phone-help.png')});
   assert.deepEqual(faults, []);
 });

@@ -134,6 +134,19 @@ test('the playhead hides no number of the ruler', async (t) => {
   assert.ok(head >= label - 3, `the head begins at ${head}, the number ends at ${label}`);
 });
 
+test('a motion of one frame has no time', async (t) => {
+  const {tab, faults} = await withPage(t, [fileOf('single.bvh', smallBvh(1))]);
+  const labels = () => tab.$$eval('.track .label', (all) => all.map((one) => one.textContent));
+  assert.deepEqual(await labels(), ['0']);
+  assert.equal(await textOf(tab, '.readout'), '1 frame');
+  await tab.click('.unit');
+  assert.deepEqual(await labels(), ['0 s']);
+  await tab.screenshot({path: join(out, 'timeline-single.png')});
+  await drop(tab, [bvh]);
+  await tab.waitForFunction(() => document.querySelectorAll('.track .label').length > 2);
+  assert.deepEqual(faults, []);
+});
+
 test('playing: space, speed, repeat, range', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await press(tab, 'Space');

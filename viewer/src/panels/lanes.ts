@@ -28,6 +28,11 @@ export function drawRuler(
   height: number,
   unit: RulerUnit,
 ): SVGElement[] {
+  // The room beside a single frame is no time.
+  if (axis.isMoment) {
+    const text = unit === 'seconds' ? '0 s' : '0';
+    return tick(axis.x(motion.offset, width), height, text, true);
+  }
   if (unit === 'seconds') return drawSeconds(motion, axis, width, height);
   const {time} = motion.document;
   const [begin, end] = axis.range;

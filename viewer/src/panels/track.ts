@@ -226,7 +226,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
       ),
       ...drawContacts(motion, marks.contacts, axis, width, top(motion)),
       playhead,
-      ...drawLoop(),
+      ...(axis.isMoment ? [] : drawLoop()),
       ...drawMarks(motion, marks, axis, width, kRulerHeight + kMarksHeight / 2),
     ]);
     playhead.replaceChildren(

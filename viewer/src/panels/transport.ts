@@ -28,6 +28,14 @@ function otherNumbers(motion: OpenMotion, frame: number): string {
     .join('  ');
 }
 
+/** The time of the motion; one that does not go on says what it is. */
+function readoutText(motion: OpenMotion, seconds: number): string {
+  const {time} = motion.document;
+  if (time.is_still) return t('rest_pose');
+  if (numFrames(time) === 1) return t('one_frame');
+  return `${ownSeconds(motion, seconds).toFixed(3)} s`;
+}
+
 /** The field that shows the frame and takes another. */
 function makeFrameField(store: Store): HTMLElement {
   const field = el('input', {
@@ -127,7 +135,7 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     warp.disabled = !canWarp(document);
     titled(warp, t(document.has_frames === false ? 'warp_no_frames' : 'warp_hint'));
     const frame = shownFrame(motion, state.seconds);
-    readout.textContent = `${ownSeconds(motion, state.seconds).toFixed(3)} s`;
+    readout.textContent = readoutText(motion, state.seconds);
     others.textContent = otherNumbers(motion, frame);
   });
   marks.onChange(() => {

@@ -4,6 +4,7 @@
 import {type Core, isFailure} from './core/core.ts';
 import type {Description, Diagnostic, Failure, OpenedFile, Step} from './core/types.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
+import {t} from './words.ts';
 
 /** Yellow first, blue second, as in the document on time warping; then colours far from both. */
 export const kColours = [
@@ -40,6 +41,14 @@ export interface Actions {
   addStep(motion: OpenMotion, step: Step): Promise<boolean>;
   undo(motion: OpenMotion): Promise<boolean>;
   redo(motion: OpenMotion): Promise<boolean>;
+}
+
+/** What is said where nothing of what was given is a motion; empty where something is. */
+function unreadText(opened: OpenedFile[], given: GivenFile[]): string {
+  const isUnknown = ({path}: GivenFile) =>
+    opened.some((file) => file.path === path && file.what === 'unknown');
+  if (given.length === 0 || !given.every(isUnknown)) return '';
+  return `${given.map(({path}) => nameOf(path)).join(', ')}: ${t('file_unknown')}`;
 }
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -154,6 +163,7 @@ export function makeActions(core: Core, store: Store): Actions {
           motions,
           files: remaining(answer.opened),
           active: firstActive(motions),
+          message: unreadText(answer.opened, files),
         });
       } finally {
         store.set({busy: ''});

@@ -48,7 +48,7 @@ function isTaken(event: KeyboardEvent): boolean {
   if (target.closest(kTyped) !== null) return true;
   if (kMoves.test(nameOf(event))) return target.closest(kMoved) !== null;
   if (event.key !== ' ' && event.key !== 'Enter') return false;
-  // After a click a button has the focus, too; there the space bar still plays.
+  // A click may leave the focus on a button without showing it; the space bar still plays.
   return target.closest(kPressed) !== null && target.matches(':focus-visible');
 }
 
@@ -125,11 +125,24 @@ export function makeShortcuts(store: Store, actions: Actions, others: ShortcutAc
   ];
 }
 
+const kClicked = 'button, summary, input:is([type="checkbox"], [type="radio"])';
+
+/**
+ * After a click with a pointer the focus goes back to the page, so that the space bar plays. What
+ * is pressed with a key keeps the focus; so does what is in a dialog.
+ */
+function giveBackFocus(event: MouseEvent): void {
+  const focused = document.activeElement;
+  if (event.detail === 0 || !(focused instanceof HTMLElement)) return;
+  if (focused.matches(kClicked) && focused.closest('dialog') === null) focused.blur();
+}
+
 /** Lets the shortcuts be used, except where something is typed. */
 export function useShortcuts(shortcuts: Shortcut[]): void {
   const byKey = new Map(
     shortcuts.flatMap((shortcut) => shortcut.keys.map((key) => [key, shortcut] as const)),
   );
+  document.addEventListener('click', giveBackFocus);
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.isComposing || event.altKey) return;
     if (document.querySelector('dialog[open]') !== null || isTaken(event)) return;

@@ -12,6 +12,7 @@ import {makeFileList} from './panels/files.ts';
 import {makeHelp} from './panels/help.ts';
 import {makeMarks} from './panels/marks.ts';
 import {makeMotionList} from './panels/motions.ts';
+import {makeSheet} from './panels/sheet.ts';
 import {makeSide, tablesOf} from './panels/side.ts';
 import {chosenLanguage, makeStatus, makeTools, takeFiles} from './panels/topbar.ts';
 import {makeTrack} from './panels/track.ts';
@@ -98,6 +99,7 @@ function makeSurroundings(core: Core, actions: Actions, frameAll: () => void): v
   });
   useShortcuts(shortcuts);
   makeTools(store, toggleHelp);
+  makeSheet(store);
 }
 
 async function start(): Promise<Studio> {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which frame is shown at a time. Frames count from 0.
-import type {Time} from './core/types.ts';
+import type {Description, Time} from './core/types.ts';
 import type {OpenMotion, State} from './state.ts';
 
 /** Rounding must not turn the time of a frame into the frame before it. */
@@ -8,6 +8,10 @@ const kRounding = 1e-6;
 
 /** The number of frames that can be shown: a still skeleton has one. */
 export const numFrames = (time: Time): number => (time.is_still ? 1 : time.num_frames);
+
+/** Whether frames of a document can be shown at other times: flows and skeletons have none. */
+export const canWarp = ({time, has_frames}: Description): boolean =>
+  !time.is_still && has_frames !== false;
 
 /** The time of a frame, from the first frame of its motion. */
 export const timeOfFrame = (time: Time, frame: number): number =>

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {data, drop, launch, openPage, out, page, phone} from './browser.mjs';
+import {data, drop, launch, openPage, out, page, phone, root} from './browser.mjs';
 import {carryingPage, fileOf, smallAmc, smallAsf, smallBvh} from './motions.mjs';
 
 const kSmall = {viewport: {width: 900, height: 620}, reducedMotion: 'reduce'};
@@ -72,6 +72,27 @@ async function withKey(tab) {
   await tab.waitForSelector('.key');
 }
 
+for (const [name, options] of [
+  ['desktop', {}],
+  ['phone', {...phone, locale: 'en-GB'}],
+]) {
+  test(`the empty page is seen and can be clicked: ${name}`, async (t) => {
+    const {tab, faults} = await withPage(t, [], options);
+    await tab.waitForSelector('#empty .formats li');
+    const {x, y} = await middleOf(tab, '#empty .primary');
+    const isOnTop = await tab.evaluate(
+      ([left, top]) => document.elementFromPoint(left, top)?.closest('#empty .primary') !== null,
+      [x, y],
+    );
+    assert.ok(isOnTop, 'something lies over the button');
+    await tab.screenshot({path: join(out, `timeline-empty-${name}.png`)});
+    const press = options.hasTouch ? tab.touchscreen.tap(x, y) : tab.mouse.click(x, y);
+    const [chooser] = await Promise.all([tab.waitForEvent('filechooser'), press]);
+    assert.equal(chooser.isMultiple(), true);
+    assert.deepEqual(faults, []);
+  });
+}
+
 test('frames: keys, field, scrubbing', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await press(tab, 'ArrowRight', 'ArrowRight', 'ArrowLeft');
@@ -103,6 +124,29 @@ test('frames: keys, field, scrubbing', async (t) => {
   assert.deepEqual(faults, []);
 });
 
+test('the playhead hides no number of the ruler', async (t) => {
+  const {tab} = await withPage(t, [bvh]);
+  const [head, label] = await tab.evaluate(() => {
+    const box = (selector) => document.querySelector(selector).getBoundingClientRect();
+    return [box('.playhead .head').top, box('.track .label').bottom];
+  });
+  // The box of a text has room below its digits.
+  assert.ok(head >= label - 3, `the head begins at ${head}, the number ends at ${label}`);
+});
+
+test('a motion of one frame has no time', async (t) => {
+  const {tab, faults} = await withPage(t, [fileOf('single.bvh', smallBvh(1))]);
+  const labels = () => tab.$$eval('.track .label', (all) => all.map((one) => one.textContent));
+  assert.deepEqual(await labels(), ['0']);
+  assert.equal(await textOf(tab, '.readout'), '1 frame');
+  await tab.click('.unit');
+  assert.deepEqual(await labels(), ['0 s']);
+  await tab.screenshot({path: join(out, 'timeline-single.png')});
+  await drop(tab, [bvh]);
+  await tab.waitForFunction(() => document.querySelectorAll('.track .label').length > 2);
+  assert.deepEqual(faults, []);
+});
+
 test('playing: space, speed, repeat, range', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await press(tab, 'Space');
@@ -113,6 +157,26 @@ test('playing: space, speed, repeat, range', async (t) => {
   await tab.click('.play');
   await press(tab, 'Space');
   assert.equal(await tab.getAttribute('.play', 'aria-label'), 'Play', 'after a click, too');
+
+  // A name is drawn anew by its click, and is given the focus again.
+  const playing = () => tab.getAttribute('.play', 'aria-label');
+  for (const selector of ['.motion .title', '#tab-info', '.warp-button', '.warp-button']) {
+    await tab.click(selector);
+    await press(tab, 'Space');
+    assert.equal(await playing(), 'Pause', `after a click on ${selector}`);
+    await press(tab, 'Space');
+    assert.equal(await playing(), 'Play');
+  }
+  await tab.click('[aria-label="Close small.bvh"] >> nth=1');
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
+  await tab.locator('[aria-label="Hide small.bvh"]').focus();
+  await press(tab, 'Space');
+  await tab.waitForSelector('[aria-label="Show small.bvh"]');
+  await press(tab, 'Space');
+  await tab.waitForSelector('[aria-label="Hide small.bvh"]');
+  assert.equal(await playing(), 'Play', 'a button that the keyboard went to is pressed');
+  await tab.locator('[aria-label="Hide small.bvh"]').blur();
+  await press(tab, 'Home');
 
   await press(tab, '[');
   assert.equal(await tab.inputValue('#speed'), '0.75');
@@ -178,6 +242,13 @@ test('views and what is shown: each key', async (t) => {
   assert.equal(await tab.isVisible('#time'), true);
   await press(tab, '?');
   assert.equal(await tab.isVisible('#help'), true);
+  const together = await tab.$$eval('#help .keys td:first-child', (all) =>
+    all.map((cell) => [cell.textContent, cell.querySelectorAll('kbd').length]),
+  );
+  assert.deepEqual(
+    together.find(([text]) => text.includes('Ctrl Z')),
+    ['U / Ctrl Z', 3],
+  );
   await tab.screenshot({path: join(out, 'timeline-help.png')});
   assert.match(await textOf(tab, '#help'), /kinefile \d+\.\d+\.\d+/);
   assert.match(await textOf(tab, '#help'), /2010-2026 three\.js authors/);
@@ -209,6 +280,8 @@ test('time warp: a dragged key changes the frames, and one undo takes the drag b
   assert.ok(title.startsWith('50 → ') && moved > 55 && Number.isInteger(moved), title);
   await waitFrame(tab, moved);
   await waitText(tab, '.motion.active', 'time warp');
+  assert.equal(await count(tab, '[aria-label="Hide small.bvh (time warp)"]'), 1);
+  assert.equal(await textOf(tab, '.lane.active title'), 'Start of small.bvh (time warp)');
   await tab.fill('#frame', '1');
   await press(tab, 'Enter');
   await waitText(tab, '.readout.others', `source ${Math.round((50 / moved) * 1000) / 1000}`);
@@ -290,6 +363,21 @@ test('time warp: keys by keyboard and numbers, tails, refusals, command, saving'
   const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('.warp_save')]);
   assert.equal(download.suggestedFilename(), 'small_warped.bvh');
   assert.match(readFileSync(await download.path(), 'utf8'), /^Frames: 130$/m);
+  assert.deepEqual(faults, []);
+});
+
+test('a flow has no time warp, and says why', async (t) => {
+  const files = ['robot.body', 'servos.yaml', 'wave.txt'];
+  const {tab, faults} = await withPage(
+    t,
+    files.map((name) => join(root, 'examples', name)),
+  );
+  await tab.waitForSelector('.warp-button:disabled');
+  assert.match(await tab.getAttribute('.warp-button', 'title'), /no frames/);
+  await press(tab, 'w');
+  await waitText(tab, '#status', 'no frames');
+  assert.equal(await count(tab, '.motion'), 1);
+  assert.equal(await tab.isVisible('.warp'), false);
   assert.deepEqual(faults, []);
 });
 
@@ -384,6 +472,24 @@ test('a file that is not valid shows its message, a file of another kind its nam
   await waitText(tab, '#files', 'notes.md');
   await tab.click('.file.fault [aria-label="Dismiss"]');
   await tab.waitForSelector('.file.fault', {state: 'detached'});
+  assert.deepEqual(faults, []);
+});
+
+test('a file of another kind that comes alone says so', async (t) => {
+  const notes = fileOf('notes.md', '# nothing that moves\n');
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [notes]);
+  await tab.waitForSelector('.file.unknown');
+  const said = await textOf(tab, '.file.unknown');
+  assert.match(said, /notes\.md.*not a motion file that kinefile reads/);
+  await waitText(tab, '#status', 'notes.md: not a motion file');
+  await tab.screenshot({path: join(out, 'timeline-unknown.png')});
+  await drop(tab, [bvh]);
+  await tab.waitForSelector('.motion');
+  // Beside an open motion, and with others, it is said all the same.
+  await drop(tab, [fileOf('more.md', '# nothing either\n')]);
+  await waitText(tab, '#status', 'more.md: not a motion file');
+  await waitText(tab, '#files summary', '2');
   assert.deepEqual(faults, []);
 });
 
@@ -533,23 +639,59 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.waitForSelector('#empty .formats li');
   await fits('empty');
   await tab.screenshot({path: join(out, 'timeline-phone-empty.png')});
-  await drop(tab, [bvh], 100, 300);
-  await tab.waitForSelector('.motion');
+  const name = `a_long_name${'_of_a_take'.repeat(6)}.bvh`;
+  await drop(tab, [fileOf(name, smallBvh())], 100, 300);
+  await tab.waitForSelector('.motions-chip');
   assert.equal(await tab.isVisible('#side'), false);
   await fits('one motion');
   await tab.screenshot({path: join(out, 'timeline-phone.png')});
   const box = await tab.locator('.track').boundingBox();
   await tab.touchscreen.tap(box.x + box.width / 2, box.y + 20);
   assert.ok((await frameOf(tab)) > 40);
+  const placeOf = (selector) => tab.locator(selector).boundingBox();
+  await tab.waitForFunction(() => document.querySelector('.grid-scale').textContent !== '');
+  const [chip, scale] = [await placeOf('.motions-chip'), await placeOf('.grid-scale')];
+  assert.ok(chip.x + chip.width <= scale.x, 'the name ends before the size of the grid');
+  assert.match(await textOf(tab, '.motions-chip'), /^a_long_name/);
+  assert.equal(await tab.isVisible('.motion'), false, 'the list is folded');
+  await tab.tap('.motions-chip');
+  assert.equal(await tab.isVisible('.motion'), true);
+  await fits('the list');
+  await tab.tap('.motions-chip');
+
   await tab.tap('#side-toggle');
   assert.equal(await tab.isVisible('#side'), true);
   await fits('with the panel');
+  const low = (await placeOf('#side')).height;
+  await tab.tap('#side-taller');
+  const tall = (await placeOf('#side')).height;
+  assert.ok(low < 0.4 * 844 && tall > 0.65 * 844, `${low}, taller ${tall}`);
+  await fits('with the tall panel');
+  await tab.screenshot({path: join(out, 'timeline-phone-tall.png')});
+  await drag(tab, '#side-toggle', 0, 200);
+  const dragged = (await placeOf('#side')).height;
+  assert.ok(Math.abs(dragged - (tall - 200)) < 3, `dragged from ${tall} to ${dragged}`);
   await tab.tap('.warp-button');
   await tab.waitForSelector('.warp:not([hidden])');
   assert.equal(await tab.isVisible('#side'), false, 'there is no room for both');
+  const [hint, map] = [await placeOf('.warp-help'), await placeOf('.warp-map')];
+  assert.ok(hint.y >= map.y + map.height, 'the hint hides nothing of the curve');
+  await fits('the hint');
+  await tab.screenshot({path: join(out, 'timeline-phone-hint.png')});
+  await tab.tap('.warp-close');
+  await tab.waitForSelector('.warp', {state: 'hidden'});
+  await tab.tap('.warp-button');
+  await tab.waitForSelector('.warp:not([hidden])');
   await tab.tap('.warp_add');
   await tab.waitForSelector('.key');
+  assert.equal(await tab.isVisible('.warp-help'), false);
   await fits('time warp');
+  await waitText(tab, '.motions-chip .tag', '2');
+  await tab.tap('.motions-chip');
+  assert.equal(await tab.isVisible('#placement'), true);
+  await fits('the list of two');
+  await tab.screenshot({path: join(out, 'timeline-phone-list.png')});
+  await tab.tap('.motions-chip');
   await tab.screenshot({path: join(out, 'timeline-phone-warp.png')});
   const {x, y} = await middleOf(tab, '.key .diamond');
   const session = await tab.context().newCDPSession(tab);
@@ -569,6 +711,11 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.waitForSelector('#help[open]');
   const wide = await tab.$eval('#help', (help) => help.scrollWidth - help.clientWidth);
   assert.ok(wide <= 0, `the help is ${wide} pixels too wide`);
+  const sections = await tab.$$eval('#help section', (all) => all.map((one) => one.className));
+  assert.deepEqual(sections, ['gestures', 'keys', 'about']);
+  assert.doesNotMatch(await textOf(tab, '#help .columns'), /Ctrl|Alt\b|[Ww]heel|[Rr]ight button/);
+  const scrolls = await tab.$eval('#help .columns', (one) => one.scrollHeight - one.clientHeight);
+  assert.ok(scrolls > 0, 'the columns scroll below the heading');
   await tab.screenshot({path: join(out, 'timeline-phone-help.png')});
   assert.deepEqual(faults, []);
 });

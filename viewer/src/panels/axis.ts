@@ -13,6 +13,8 @@ const kLeastSpan = 0.05;
 export interface TimeAxis {
   /** The part of time that is drawn, in seconds. */
   readonly range: [number, number];
+  /** Whether all there is happens at one time, as a motion of one frame does. */
+  readonly isMoment: boolean;
   /** Where a time is, in a drawing of a width. */
   x(seconds: number, width: number): number;
   /** The time at a place. */
@@ -44,6 +46,10 @@ export function makeTimeAxis(store: Store): TimeAxis {
   const axis: TimeAxis = {
     get range() {
       return held ?? zoomed ?? whole();
+    },
+    get isMoment() {
+      const [begin, end] = wholeRange(store.state);
+      return end <= begin;
     },
     x(seconds, width) {
       const [begin, end] = axis.range;

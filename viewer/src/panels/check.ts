@@ -3,6 +3,7 @@
 import {type Core, isFailure} from '../core/core.ts';
 import type {Diagnostic, Mark, OpenedFile} from '../core/types.ts';
 import {button, el} from '../elements.ts';
+import {fullName} from '../motionname.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {fromCore, t} from '../words.ts';
@@ -123,7 +124,7 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     const standing = marks.of(motion) ?? [];
     if (found === undefined) {
       const waiting = el('p', {class: 'faint', attributes: {role: 'status'}}, [t('checking')]);
-      return [section(motion.title, [waiting])];
+      return [section(fullName(motion), [waiting])];
     }
     const isGood = found.every(({severity}) => severity === 'note');
     // Frames that the check names are those of the file.
@@ -133,7 +134,7 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     );
     const title = `${t('stands_out')} (${others.length})`;
     return [
-      section(motion.title, isGood ? [el('p', {}, [t('nothing_wrong')])] : []),
+      section(fullName(motion), isGood ? [el('p', {}, [t('nothing_wrong')])] : []),
       ...groups(found, ofFile),
       ...(others.length > 0 ? [section(title, [markList(motion, others)])] : []),
     ];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Curves of the selected joint over time, of all visible motions that have one of its name.
 import {button, el} from '../elements.ts';
+import {fullName} from '../motionname.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {shownFrame} from '../times.ts';
@@ -100,7 +101,7 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
       const swatch = el('span', {class: dash.length > 0 ? 'dash dashed' : 'dash'});
       swatch.style.borderColor = colour;
       const label = labelOf(quantity);
-      const text = several ? `${label} ${motion.title}` : label;
+      const text = several ? `${label} ${fullName(motion)}` : label;
       return el('span', {class: 'legend-key', title: text}, [
         swatch,
         el('span', {class: 'text'}, [text]),

@@ -28,19 +28,25 @@ export function makeFileList(store: Store, actions: Actions): void {
   const dismiss = (gone: OpenedFile[]) =>
     store.set({files: store.state.files.filter((file) => !gone.includes(file))});
 
+  const open = (path: string) => actions.openPath(path);
+
   const row = (file: OpenedFile): HTMLElement =>
     el('li', {class: `file ${file.what}`}, [
       el('div', {class: 'file-head'}, [
         el('b', {title: file.path}, [file.path]),
-        button(t(file.what === 'fault' ? 'try_again' : 'open'), () => actions.openPath(file.path)),
+        ...(file.what === 'unknown'
+          ? []
+          : [button(t(file.what === 'fault' ? 'try_again' : 'open'), () => open(file.path))]),
         iconButton('close', () => dismiss([file]), {title: t('dismiss'), class: 'plain'}),
       ]),
       el('p', {}, [reasonOf(file)]),
     ]);
 
   store.on(['files', 'language'], ({files}) => {
-    const told = files.filter(({what}) => what !== 'unknown');
-    const unknown = files.filter(({what}) => what === 'unknown');
+    const others = files.filter(({what}) => what === 'unknown');
+    // One says what it is; many, as a folder has, are folded away.
+    const unknown = others.length > 1 ? others : [];
+    const told = files.filter((file) => !unknown.includes(file));
     list.hidden = files.length === 0;
     list.setAttribute('aria-label', t('files'));
     const parts: HTMLElement[] = [];

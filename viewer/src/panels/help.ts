@@ -21,15 +21,37 @@ const kGestures: [Word, Word][] = [
   ['gesture_key', 'gesture_key_does'],
 ];
 
-const keyRow = ({shown, word}: Shortcut): HTMLElement =>
-  el('tr', {}, [
+/** The gestures of fingers; a page that is touched has no wheel, and mostly no keys. */
+const kTouchGestures: [Word, Word][] = [
+  ['gesture_turn', 'gesture_turn_does'],
+  ['touch_zoom', 'gesture_zoom_does'],
+  ['touch_move', 'gesture_move_does'],
+  ['touch_joint', 'gesture_joint_does'],
+  ['gesture_scrub', 'gesture_scrub_does'],
+  ['gesture_lane', 'gesture_lane_does'],
+  ['gesture_key', 'touch_key_does'],
+];
+
+const kTouch = window.matchMedia('(pointer: coarse)');
+
+/** Keys that are pressed together, such as "Ctrl Z": each is an element. */
+const keys = (together: string): (Node | string)[] =>
+  together.split(' ').flatMap((key, index) => {
+    const made = el('kbd', {}, [key]);
+    return index === 0 ? [made] : [' ', made];
+  });
+
+const keyRow = ({shown, word}: Shortcut): HTMLElement => {
+  const ways = kTouch.matches ? shown.filter((way) => !way.includes('Ctrl')) : shown;
+  return el('tr', {}, [
     el(
       'td',
       {},
-      shown.map((key) => el('kbd', {}, [key])),
+      ways.flatMap((way, index) => (index === 0 ? keys(way) : [' / ', ...keys(way)])),
     ),
     el('td', {}, [t(word)]),
   ]);
+};
 
 const gestureRow = ([gesture, does]: [Word, Word]): HTMLElement =>
   el('tr', {}, [el('td', {}, [t(gesture)]), el('td', {}, [t(does)])]);
@@ -50,6 +72,16 @@ export function makeHelp(store: Store, version: string, shortcuts: () => Shortcu
   });
   const fill = () => {
     dialog.setAttribute('aria-label', t('help'));
+    const keyTable = el('section', {class: 'keys'}, [
+      el('h3', {}, [t('help_keys')]),
+      el('table', {}, [el('tbody', {}, shortcuts().map(keyRow))]),
+    ]);
+    const gestures = el('section', {class: 'gestures'}, [
+      el('h3', {}, [t(kTouch.matches ? 'help_touch' : 'help_gestures')]),
+      el('table', {}, [
+        el('tbody', {}, (kTouch.matches ? kTouchGestures : kGestures).map(gestureRow)),
+      ]),
+    ]);
     dialog.replaceChildren(
       el('div', {class: 'help'}, [
         el('header', {}, [
@@ -57,13 +89,8 @@ export function makeHelp(store: Store, version: string, shortcuts: () => Shortcu
           iconButton('close', () => dialog.close(), {title: t('close')}),
         ]),
         el('div', {class: 'columns'}, [
-          el('section', {class: 'keys'}, [
-            el('h3', {}, [t('help_keys')]),
-            el('table', {}, [el('tbody', {}, shortcuts().map(keyRow))]),
-          ]),
-          el('section', {class: 'gestures'}, [
-            el('h3', {}, [t('help_gestures')]),
-            el('table', {}, [el('tbody', {}, kGestures.map(gestureRow))]),
+          ...(kTouch.matches ? [gestures, keyTable] : [keyTable, gestures]),
+          el('section', {class: 'about'}, [
             el('h3', {}, [t('help_about')]),
             el('p', {}, [`kinefile ${version}`]),
             el('p', {}, [t('help_private')]),

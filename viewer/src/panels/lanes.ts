@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawn parts of the track: ruler, lanes, ground contacts, marks.
 import type {Contact, Mark} from '../core/types.ts';
+import {fullName} from '../motionname.ts';
 import type {OpenMotion} from '../state.ts';
 import {endOf, numFrames, secondsOf, secondsPerFrame} from '../times.ts';
 import {fromCore, t, type Word} from '../words.ts';
@@ -27,6 +28,11 @@ export function drawRuler(
   height: number,
   unit: RulerUnit,
 ): SVGElement[] {
+  // The room beside a single frame is no time.
+  if (axis.isMoment) {
+    const text = unit === 'seconds' ? '0 s' : '0';
+    return tick(axis.x(motion.offset, width), height, text, true);
+  }
   if (unit === 'seconds') return drawSeconds(motion, axis, width, height);
   const {time} = motion.document;
   const [begin, end] = axis.range;
@@ -69,7 +75,7 @@ function drawSeconds(
 
 const tick = (x: number, height: number, text: string, isWithin: boolean): SVGElement[] => [
   svg('path', {class: 'tick', d: `M${x} 18V${height}`}),
-  svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 16}, [text]),
+  svg('text', {class: isWithin ? 'label' : 'label outside', x: x + 3, y: 15}, [text]),
 ];
 
 /** The lane of a motion: how long it is, and when it starts. */
@@ -81,14 +87,15 @@ export function drawLane(
   isActive: boolean,
   isMovable: boolean,
 ): SVGElement {
-  const {handle, title, colour, offset, isVisible} = motion;
+  const {handle, colour, offset, isVisible} = motion;
+  const name = fullName(motion);
   const within = (x: number) => Math.max(kLeft, Math.min(width - kRight, x));
   const left = within(axis.x(offset, width));
   const right = Math.max(left + 3, within(axis.x(endOf(motion), width)));
   const attributes = isMovable
     ? sliderAttributes(
         `lane:${handle}`,
-        t('lane', title),
+        t('lane', name),
         [-1e6, 1e6],
         offset,
         `${offset.toFixed(3)} s`,
@@ -104,7 +111,7 @@ export function drawLane(
   });
   const classes = ['lane', isActive ? 'active' : '', isVisible ? '' : 'off'];
   return svg('g', {class: classes.filter(Boolean).join(' '), 'data-lane': handle, ...attributes}, [
-    svg('title', {}, [isMovable ? t('lane', title) : title]),
+    svg('title', {}, [isMovable ? t('lane', name) : name]),
     svg('rect', {class: 'reach', x: left, y: top, width: right - left, height: kLaneHeight}),
     bar,
   ]);

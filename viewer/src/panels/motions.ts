@@ -3,28 +3,54 @@
 // beside each other.
 import type {Actions} from '../actions.ts';
 import {byId, el} from '../elements.ts';
-import {type Link, type OpenMotion, type Placement, type Store, withMotion} from '../state.ts';
+import {changesOf, fullName} from '../motionname.ts';
+import {
+  activeMotion,
+  type Link,
+  type OpenMotion,
+  type Placement,
+  type Store,
+  withMotion,
+} from '../state.ts';
 import {t, type Word} from '../words.ts';
 import {iconButton, titled} from './icons.ts';
 import {numberText} from './warpwords.ts';
 
 const kPlacements: readonly Placement[] = ['recorded', 'aligned', 'beside'];
 
-/** What was done to a motion, in a word or two. */
-function changesOf({steps}: OpenMotion): string {
-  if (steps.length === 0) return '';
-  const last = steps[steps.length - 1];
-  if (steps.length === 1 && 'warp' in last) return t('warped');
-  return t(steps.length === 1 ? 'changed_once' : 'changed', steps.length);
+function swatchOf(colour: string): HTMLElement {
+  const swatch = el('span', {class: 'swatch'});
+  swatch.style.background = colour;
+  return swatch;
+}
+
+/** On a phone the list is behind a chip, so that the figure is seen; elsewhere it is open. */
+function makeFolded(section: HTMLElement) {
+  const list = el('div', {id: 'motion-list', class: 'motion-list'});
+  const chip = el('button', {
+    type: 'button',
+    class: 'motions-chip',
+    attributes: {'aria-controls': list.id, 'aria-expanded': 'false'},
+    on: {
+      click: () => {
+        const isOpen = section.classList.toggle('open');
+        chip.setAttribute('aria-expanded', String(isOpen));
+      },
+    },
+  });
+  section.append(chip, list);
+  return {chip, list};
 }
 
 /** Makes the list of motions. */
 export function makeMotionList(store: Store, actions: Actions): void {
-  const list = byId('motions');
+  const section = byId('motions');
+  const {chip, list} = makeFolded(section);
   const change = (handle: number, to: Partial<OpenMotion>) =>
     store.set({motions: withMotion(store.state, handle, to)});
 
-  const offsetField = ({handle, offset, title}: OpenMotion): HTMLElement => {
+  const offsetField = (motion: OpenMotion): HTMLElement => {
+    const {handle, offset} = motion;
     const field = el('input', {
       type: 'number',
       step: 'any',
@@ -35,18 +61,16 @@ export function makeMotionList(store: Store, actions: Actions): void {
       const wanted = Number(field.value);
       if (Number.isFinite(wanted)) change(handle, {offset: wanted});
     });
-    titled(field, t('offset_of', title));
+    titled(field, t('offset_of', fullName(motion)));
     return el('label', {class: 'offset-field'}, ['+', field, 's']);
   };
 
   const row = (motion: OpenMotion, isOne: boolean): HTMLElement => {
     const {handle, title, isVisible, colour, document} = motion;
     const isActive = handle === store.state.active;
-    const swatch = el('span', {class: 'swatch'});
-    swatch.style.background = colour;
     const changes = changesOf(motion);
     const name = el('button', {type: 'button', class: 'title', title: document.path}, [
-      swatch,
+      swatchOf(colour),
       el('span', {class: 'name'}, [title]),
       ...(changes === '' ? [] : [el('span', {class: 'tag'}, [changes])]),
     ]);
@@ -56,13 +80,13 @@ export function makeMotionList(store: Store, actions: Actions): void {
       change(handle, {isVisible: !isVisible}),
     );
     show.classList.add('plain');
-    titled(show, t(isVisible ? 'hide_motion' : 'show_motion', title));
+    titled(show, t(isVisible ? 'hide_motion' : 'show_motion', fullName(motion)));
     return el('li', {class: isActive ? 'motion active' : 'motion'}, [
       name,
       ...(isOne ? [] : [offsetField(motion)]),
       show,
       iconButton('close', () => actions.close(motion), {
-        title: t('close_motion', title),
+        title: t('close_motion', fullName(motion)),
         class: 'plain',
       }),
     ]);
@@ -124,7 +148,16 @@ export function makeMotionList(store: Store, actions: Actions): void {
       ...(isOne || motions.length === 0 ? [] : [placementField(motions)]),
       ...(haveOneRate ? [] : [linkField()]),
     );
-    list.hidden = motions.length === 0;
+    const motion = activeMotion(store.state);
+    if (motion !== undefined) {
+      titled(chip, `${t('open_motions', motions.length)}. ${fullName(motion)}`);
+      chip.replaceChildren(
+        swatchOf(motion.colour),
+        el('span', {class: 'name'}, [fullName(motion)]),
+        ...(isOne ? [] : [el('span', {class: 'tag'}, [String(motions.length)])]),
+      );
+    }
+    section.hidden = motions.length === 0;
     if (index >= 0) list.querySelectorAll<HTMLElement>('button, input, select')[index]?.focus();
   });
 }

@@ -226,13 +226,14 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
       ),
       ...drawContacts(motion, marks.contacts, axis, width, top(motion)),
       playhead,
-      ...drawLoop(),
+      ...(axis.isMoment ? [] : drawLoop()),
       ...drawMarks(motion, marks, axis, width, kRulerHeight + kMarksHeight / 2),
     ]);
     playhead.replaceChildren(
       svg('rect', {class: 'reach', x: -9, y: 0, width: 18, height}),
-      svg('path', {class: 'line', d: `M0 14V${height}`}),
-      svg('path', {class: 'head', d: 'M-6 6h12v7l-6 6-6-6z'}),
+      // Below the numbers of the ruler, which it would hide.
+      svg('path', {class: 'line', d: `M0 18V${height}`}),
+      svg('path', {class: 'head', d: 'M-6 18h12v4l-6 6-6-6z'}),
     );
     movePlayhead();
   };

@@ -3,7 +3,7 @@
 import {byId, el} from '../elements.ts';
 import {goToFrame, kSpeeds, setSpeed, step} from '../playback.ts';
 import {activeMotion, type OpenMotion, type Store} from '../state.ts';
-import {numFrames, ownSeconds, shownFrame} from '../times.ts';
+import {canWarp, numFrames, ownSeconds, shownFrame} from '../times.ts';
 import {t, type Word} from '../words.ts';
 import {iconButton, setIcon, titled} from './icons.ts';
 import type {Marks} from './marks.ts';
@@ -26,6 +26,14 @@ function otherNumbers(motion: OpenMotion, frame: number): string {
   ]
     .filter((text) => text !== '')
     .join('  ');
+}
+
+/** The time of the motion; one that does not go on says what it is. */
+function readoutText(motion: OpenMotion, seconds: number): string {
+  const {time} = motion.document;
+  if (time.is_still) return t('rest_pose');
+  if (numFrames(time) === 1) return t('one_frame');
+  return `${ownSeconds(motion, seconds).toFixed(3)} s`;
 }
 
 /** The field that shows the frame and takes another. */
@@ -101,7 +109,6 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     [repeat, 'repeat'],
     [previousMark, 'previous_mark'],
     [nextMark, 'next_mark'],
-    [warp, 'warp_hint'],
   ];
   const [first, back, , forward, last] = buttons.map(([made]) => made);
   byId('time').append(
@@ -124,9 +131,11 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     const motion = activeMotion(state);
     byId('time').hidden = motion === undefined;
     if (motion === undefined) return;
-    warp.disabled = motion.document.time.is_still;
+    const {document} = motion;
+    warp.disabled = !canWarp(document);
+    titled(warp, t(document.has_frames === false ? 'warp_no_frames' : 'warp_hint'));
     const frame = shownFrame(motion, state.seconds);
-    readout.textContent = `${ownSeconds(motion, state.seconds).toFixed(3)} s`;
+    readout.textContent = readoutText(motion, state.seconds);
     others.textContent = otherNumbers(motion, frame);
   });
   marks.onChange(() => {

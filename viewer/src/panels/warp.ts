@@ -3,9 +3,11 @@
 import type {Actions} from '../actions.ts';
 import type {Core} from '../core/core.ts';
 import {byId, el} from '../elements.ts';
+import {notify} from '../notify.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from '../state.ts';
-import {shownFrame} from '../times.ts';
+import {canWarp, shownFrame} from '../times.ts';
+import {t} from '../words.ts';
 import type {TimeAxis} from './axis.ts';
 import {arrowStep, type Grip, svg, useGrips} from './svg.ts';
 import {makeWarpControls} from './warpcontrols.ts';
@@ -173,9 +175,10 @@ export function makeWarpEditor(
   };
   const draw = () => {
     const motion = activeMotion(store.state);
-    editor.hidden = !store.state.isWarping || motion === undefined;
-    document.body.classList.toggle('is-warping', !editor.hidden);
-    if (editor.hidden || motion === undefined) return;
+    const isShown = store.state.isWarping && motion !== undefined && canWarp(motion.document);
+    editor.hidden = !isShown;
+    document.body.classList.toggle('is-warping', isShown);
+    if (!isShown) return;
     if (selected >= warping.keys.length) selected = -1;
     drawWarpMap(drawing, mapOf(motion), axis, playhead);
     controls.show();
@@ -210,12 +213,14 @@ export function makeWarpEditor(
     async toggle() {
       const motion = activeMotion(store.state);
       if (store.state.isWarping || motion === undefined) return store.set({isWarping: false});
-      const {path} = motion.document;
+      const {path, has_frames} = motion.document;
+      if (has_frames === false) return notify(store, t('warp_no_frames'));
+      if (!canWarp(motion.document)) return;
       const isAlone = store.state.motions.every(
         (other) => other === motion || other.document.path !== path,
       );
       const isWarped = warpOf(motion.steps).before.length < motion.steps.length;
-      if (isAlone && !isWarped && !motion.document.time.is_still) await openBeside(motion);
+      if (isAlone && !isWarped) await openBeside(motion);
       store.set({isWarping: true});
     },
   };

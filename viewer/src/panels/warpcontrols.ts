@@ -75,7 +75,9 @@ export function makeWarpControls(
   const undo = iconButton('undo', () => withActive((motion) => actions.undo(motion)));
   const redo = iconButton('redo', () => withActive((motion) => actions.redo(motion)));
   const removeKey = iconButton('bin', keyActions.remove);
-  const close = iconButton('close', () => store.set({isWarping: false}), {class: 'plain'});
+  const close = iconButton('close', () => store.set({isWarping: false}), {
+    class: 'plain warp-close',
+  });
   const addKey = action('warp_add', keyActions.add);
   const iconAction = (name: Icon, word: Word, run: () => void) => {
     const made = iconButton(name, run, {class: word});
@@ -222,7 +224,8 @@ export function makeWarpControls(
       keyNumbers,
       options,
       more,
-      el('span', {class: 'group end'}, [undo, redo, copyButton, saveButton, close]),
+      el('span', {class: 'group end'}, [undo, redo, copyButton, saveButton]),
+      close,
     ]),
     notes: el('div', {class: 'warp-notes'}, [hint, fault]),
     show,

@@ -2,6 +2,7 @@
 // Names: the joint under the pointer says its name; a click selects it.
 import type * as THREE from 'three';
 import {byId} from '../elements.ts';
+import {fullName} from '../motionname.ts';
 import type {Store} from '../state.ts';
 import type {Cameras} from './cameras.ts';
 import type {Figures} from './figures.ts';
@@ -22,7 +23,7 @@ export function makeNames(
   const textOf = ({handle, joint}: Pick): string => {
     const {motion} = figures.all.get(handle)!;
     const {name} = motion.document.joints[joint];
-    return store.state.motions.length > 1 ? `${name} · ${motion.title}` : name;
+    return store.state.motions.length > 1 ? `${name} · ${fullName(motion)}` : name;
   };
 
   const show = (pick: Pick | null, place: THREE.Vector2) => {

@@ -7,6 +7,7 @@ import {createHash} from 'node:crypto';
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {gzipSync} from 'node:zlib';
+import zopfli from '@gfx/zopfli';
 import {build} from 'esbuild';
 
 const here = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
@@ -26,6 +27,7 @@ async function bundle(entry) {
     format: 'iife',
     target: ['chrome100', 'firefox100', 'safari16.4'],
     define: {ERRORS: JSON.stringify(errors()), LICENCES: JSON.stringify(licences())},
+    charset: 'utf8',
     legalComments: 'none',
     logLevel: 'warning',
   });
@@ -57,6 +59,9 @@ function licences() {
   };
 }
 
+/** Gzip by Zopfli: some seconds, and a twentieth smaller than zlib's best. */
+const zipped = async (bytes) => Buffer.from(await zopfli.gzipAsync(bytes, {numiterations: 5}));
+
 async function style() {
   const made = await build({
     entryPoints: [join(here, 'src/style.css')],
@@ -76,10 +81,7 @@ const script = isolated(await bundle('src/main.ts'));
 const css = await style();
 const coreScript = readFileSync(join(coreFolder, 'core.js'), 'utf8');
 const worker = isolated(`${coreScript}\n${await bundle('src/core/worker.ts')}`);
-const core = gzipSync(readFileSync(join(coreFolder, 'core.wasm')), {
-  level: 9,
-  memLevel: 9,
-}).toString('base64');
+const core = (await zipped(readFileSync(join(coreFolder, 'core.wasm')))).toString('base64');
 const policy = [
   "default-src 'none'",
   `script-src ${hash(script)} 'wasm-unsafe-eval'`,

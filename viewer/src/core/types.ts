@@ -76,8 +76,6 @@ export interface Description {
   joints: Joint[];
   num_coordinates: number;
   time: Time;
-  /** Whether it has frames, which can be at other times; absent: it has. */
-  has_frames?: boolean;
   extent: {min: Num[]; max: Num[]} | null;
   up: {axis: 0 | 1 | 2; certainty: Certainty; reason: string};
   facing: {direction: Num[] | null; reason: string};

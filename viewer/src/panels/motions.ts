@@ -57,6 +57,10 @@ export function makeMotionList(store: Store, actions: Actions): void {
       class: 'offset',
       value: numberText(offset),
     });
+    // The keys then belong to the page again.
+    field.addEventListener('keydown', ({key}) => {
+      if (key === 'Enter') field.blur();
+    });
     field.addEventListener('change', () => {
       const wanted = Number(field.value);
       if (Number.isFinite(wanted)) change(handle, {offset: wanted});

@@ -202,6 +202,8 @@ export function makeWarpControls(
     }
     fault.textContent = warping.fault;
     fault.hidden = warping.fault === '';
+    // What is shown is then the last warp that was taken, which is not what the controls say.
+    saveButton.disabled = copyButton.disabled = warping.fault !== '';
     hint.hidden = warping.keys.length > 0 || !fault.hidden;
   };
 

@@ -52,13 +52,28 @@ export async function openPage(browser, options = {}, file = page, hash = '') {
   return {tab, context, faults};
 }
 
-/** Drops files and folders of the disk onto the page, as a person does. */
+/**
+ * Drops files and folders of the disk onto the page, as a person does. A busy browser may not know
+ * yet that the page takes what is over it, and then drops nothing: it is tried again.
+ */
 export async function drop(tab, files, x = 400, y = 300) {
   const session = await tab.context().newCDPSession(tab);
   const data = {items: [], files, dragOperationsMask: 1};
-  for (const type of ['dragEnter', 'dragOver', 'drop']) {
-    await session.send('Input.dispatchDragEvent', {type, x, y, data});
+  await tab.evaluate(() => {
+    globalThis.isDropped = false;
+    const note = () => {
+      globalThis.isDropped = true;
+    };
+    addEventListener('drop', note, {once: true, capture: true});
+  });
+  for (let attempt = 0; attempt < 10; attempt++) {
+    for (const type of ['dragEnter', 'dragOver', 'drop']) {
+      await session.send('Input.dispatchDragEvent', {type, x, y, data});
+    }
+    const seen = tab.waitForFunction(() => globalThis.isDropped, null, {timeout: 2000});
+    if (await seen.catch(() => null)) return;
   }
+  throw new Error(`the page saw no drop of ${files}`);
 }
 
 /** Runs the command. */

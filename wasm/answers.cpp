@@ -215,19 +215,16 @@ Json contacts(const Slot& slot) {
   return {{"contacts", std::move(contacts)}, {"diagnostics", json_of(diagnostics)}};
 }
 
-/// {"handle"}: the diagnostics of reading the file again and of checking it.
-Json check_document(const Session& session, const Slot& slot) {
-  Diagnostics diagnostics;
-  const auto again = open(session, slot.opening, diagnostics);
+/// {"handle"}: the diagnostics of reading the file and of checking it.
+Json check_document(const Slot& slot) {
+  Diagnostics diagnostics = slot.noticed;
   CheckOptions options;
   options.name = slot.opening.path;
   // A flow is checked as a program; what its motion does on the robot, the marks tell.
-  if (std::holds_alternative<BodyMotion>(slot.source.content) && slot.model != nullptr) {
-    options.robot = [&slot](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
-      return slot.model;
-    };
+  if (std::holds_alternative<BodyMotion>(slot.source.content)) {
+    options.robot = source_of_model(slot);
   }
-  if (again) check(again->source, options, diagnostics);
+  check(slot.source, options, diagnostics);
   return {{"diagnostics", json_of(diagnostics)}};
 }
 
@@ -253,12 +250,8 @@ Json write_document(Held& held, const Slot& slot, const Json& question) {
                    diagnostics);
   }
   AdaptOptions adapting;
-  if (slot.model != nullptr) {
-    adapting.skeleton = [&slot](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
-      return slot.model;
-    };
-    adapting.skeleton_name = slot.opening.skeleton;
-  }
+  adapting.skeleton = source_of_model(slot);
+  adapting.skeleton_name = slot.opening.skeleton;
   WriteOptions options;
   const bool keeps_format = format->name == slot.source.format;
   // A flow stays a flow where the format has one, otherwise what its robot does is written.
@@ -326,7 +319,7 @@ Json answer(Session& session, Held& held, const Json& question) {
   if (ask == "curves") return curves(held, *slot, question);
   if (ask == "marks") return marks(*slot);
   if (ask == "contacts") return contacts(*slot);
-  if (ask == "check") return check_document(session, *slot);
+  if (ask == "check") return check_document(*slot);
   if (ask == "write") return write_document(held, *slot, question);
   if (ask == "write_poses") return write_poses(held, *slot, question);
   return failure(make_error(ErrorKind::Usage, "CLI001", "there is no question '" + ask + "'"), {});

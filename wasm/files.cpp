@@ -13,15 +13,6 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
 }
 
-/// ASCII letters in lower case.
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return lower;
-}
-
 FileSet::const_iterator find(const FileSet& files, const std::string& path) {
   const auto exact = files.find(path);
   if (exact != files.end() || path.empty()) return exact;
@@ -31,6 +22,14 @@ FileSet::const_iterator find(const FileSet& files, const std::string& path) {
 }
 
 }  // namespace
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return lower;
+}
 
 std::string normalised(std::string_view path) {
   std::vector<std::string_view> parts;

@@ -19,6 +19,9 @@ using FileSet = std::map<std::string, std::shared_ptr<const Array<char>>>;
 /// The bytes of a file.
 inline std::string_view view(const Array<char>& bytes) { return {bytes.data(), bytes.size()}; }
 
+/// ASCII letters in lower case.
+std::string lowered(std::string_view text);
+
 /// A path without "." and ".." parts; empty if it leads out of the set.
 std::string normalised(std::string_view path);
 

@@ -19,20 +19,15 @@ struct Helpers {
 
 constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
-bool ends_in(const std::string& path, std::string_view extension) {
-  return path.size() >= extension.size() &&
-         std::equal(extension.rbegin(), extension.rend(), path.rbegin(),
-                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
-}
-
 bool is_servo_map(const FileSet& files, const std::string& path) {
-  if (!ends_in(path, ".yaml") && !ends_in(path, ".yml")) return false;
+  const std::string name = lowered(path);
+  if (!name.ends_with(".yaml") && !name.ends_with(".yml")) return false;
   Diagnostics ignored;
   return parse_servo_map(view(*files.at(path)), path, ignored).has_value();
 }
 
 bool is_project(const FileSet& files, const std::string& path) {
-  if (!ends_in(path, ".rpj")) return false;
+  if (!lowered(path).ends_with(".rpj")) return false;
   std::set<std::string> opened;
   ReadOptions options;
   options.source_name = path;

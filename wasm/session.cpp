@@ -93,11 +93,6 @@ Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
   return std::optional(std::move(*map));
 }
 
-DocumentSource source_of(const std::shared_ptr<const Document>& model) {
-  if (model == nullptr) return {};
-  return [model](Diagnostics&) -> Result<std::shared_ptr<const Document>> { return model; };
-}
-
 /// Runs a flow through a servo map, so that it has a motion; other documents stay as they are.
 Result<Document> moving(const Session& session, Slot& slot, const Document& document,
                         Diagnostics& diagnostics) {
@@ -122,7 +117,7 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
   if (!timed) return fail(timed.error());
   ServoMap timed_map = **map;
   timed_map.tick_seconds = timed->tick_seconds;
-  return document_of_run(*timed, timed_map, source_of(slot.model), diagnostics);
+  return document_of_run(*timed, timed_map, source_of_model(slot), diagnostics);
 }
 
 /// Places the current document in the world.
@@ -131,7 +126,7 @@ Result<void> place_current(const Session& session, Slot& slot, Diagnostics& diag
   auto document = moving(session, slot, slot.current, diagnostics);
   if (!document) return fail(std::move(document.error()));
   slot.played = std::move(*document);
-  auto placed = place(slot.played, source_of(slot.model), is_lenient, diagnostics);
+  auto placed = place(slot.played, source_of_model(slot), is_lenient, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   FkOptions options;
   options.name = slot.opening.path;
@@ -182,6 +177,13 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
 
 }  // namespace
 
+DocumentSource source_of_model(const Slot& slot) {
+  if (slot.model == nullptr) return {};
+  return [model = slot.model](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
+    return model;
+  };
+}
+
 std::string text_of(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -204,6 +206,7 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
   slot.source = slot.current = std::move(*document);
   auto placed = place_current(session, slot, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
+  slot.noticed = diagnostics;
   return slot;
 }
 

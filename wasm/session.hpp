@@ -38,6 +38,7 @@ struct Slot {
   FkTable table;                          ///< `current` in the world
   std::vector<double> source_frames;      ///< of the last step, if that is a warp; otherwise empty
   std::set<std::string> opened;           ///< the companions that were read, by path
+  Diagnostics noticed;                    ///< of reading and placing it
 };
 
 /// The files and the open documents.
@@ -57,6 +58,9 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
 /// \errors those of the operations, of `retime::warp_map`, `place` and `fk`
 Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
                          Diagnostics& diagnostics);
+
+/// Gives the model of a slot; null if it has none. The slot need not outlive it.
+DocumentSource source_of_model(const Slot& slot);
 
 /// The motion that a slot shows.
 inline const Motion& motion_of(const Slot& slot) { return slot.table.placed.motion; }

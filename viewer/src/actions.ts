@@ -3,6 +3,7 @@
 // says what came of it.
 import {type Core, isFailure} from './core/core.ts';
 import type {Description, Diagnostic, Failure, OpenedFile, Step} from './core/types.ts';
+import {baseName} from './paths.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
 import {t} from './words.ts';
 
@@ -48,10 +49,8 @@ function unreadText(opened: OpenedFile[], given: GivenFile[]): string {
   const isUnknown = ({path}: GivenFile) =>
     opened.some((file) => file.path === path && file.what === 'unknown');
   if (given.length === 0 || !given.every(isUnknown)) return '';
-  return `${given.map(({path}) => nameOf(path)).join(', ')}: ${t('file_unknown')}`;
+  return `${given.map(({path}) => baseName(path)).join(', ')}: ${t('file_unknown')}`;
 }
-
-const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 export function makeActions(core: Core, store: Store): Actions {
   /** A colour that no open motion has, as long as there is one. */
@@ -68,7 +67,7 @@ export function makeActions(core: Core, store: Store): Actions {
     ...motions,
     {
       handle,
-      title: nameOf(document.path),
+      title: baseName(document.path),
       colour: freeColour(motions),
       isVisible: true,
       document,

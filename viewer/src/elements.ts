@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elements of the page. Texts are always text: a file name with markup in it stays a name.
+import {baseName} from './paths.ts';
 
 type Attributes<T> = Partial<Omit<T, 'attributes'>> & {
   class?: string;
@@ -45,6 +46,6 @@ export const button = (
 /** Offers bytes as a file. */
 export function offerFile(name: string, bytes: BlobPart): void {
   const url = URL.createObjectURL(new Blob([bytes]));
-  el('a', {href: url, download: name.slice(name.lastIndexOf('/') + 1)}).click();
+  el('a', {href: url, download: baseName(name)}).click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }

@@ -2,6 +2,7 @@
 // Files that come into the page: dropped, chosen, or carried by the page itself.
 import type {GivenFile} from './actions.ts';
 import {packedText} from './core/core.ts';
+import {unpack} from './core/unpack.ts';
 
 interface Found {
   path: string;
@@ -99,9 +100,7 @@ export interface Carried {
 export async function carriedFiles(): Promise<Carried> {
   const text = packedText('motion');
   if (text === '') return {files: [], open: []};
-  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const bytes = await new Response(stream).arrayBuffer();
+  const bytes = await unpack(text);
   const size = new DataView(bytes).getUint32(0, true);
   const list = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size)));
   let at = 4 + size;

@@ -3,6 +3,7 @@
 import {type Actions, makeActions} from './actions.ts';
 import {keepAddress} from './address.ts';
 import {type Core, startCore} from './core/core.ts';
+import type {Tables} from './core/types.ts';
 import {byId, el} from './elements.ts';
 import {carriedFiles} from './files.ts';
 import {makeShortcuts, type Shortcut, useShortcuts} from './keyboard.ts';
@@ -81,14 +82,19 @@ function startScene(core: Core, poses: PoseCache): Scene | null {
 }
 
 /** Makes the bar, the lists, the timeline, the keys, the address. */
-function makeSurroundings(core: Core, actions: Actions, frameAll: () => void): void {
+function makeSurroundings(
+  core: Core,
+  tables: Tables,
+  actions: Actions,
+  frameAll: () => void,
+): void {
   makeMotionList(store, actions);
   makeFileList(store, actions);
-  makeEmpty(core, store);
+  makeEmpty(tables, store);
   const axis = makeTimeAxis(store);
   const marks = makeMarks(core, store);
   makeTransport(store, marks, () => warp.toggle());
-  const warp = makeWarpEditor(core, store, actions, axis);
+  const warp = makeWarpEditor(core, tables, store, actions, axis);
   makeTrack(store, axis, marks);
   const toggleHelp = makeHelp(store, core.version, (): Shortcut[] => shortcuts);
   const shortcuts = makeShortcuts(store, actions, {
@@ -106,9 +112,10 @@ async function start(): Promise<Studio> {
   const [core, carried] = await Promise.all([startCore(), carriedFiles(), painted()]);
   let scene: Scene | null = null;
   const poses = makePoseCache(core, () => scene?.invalidate());
+  store.on(['motions'], ({motions}) => poses.keep(motions));
   const actions = makeActions(core, store);
-  makeSurroundings(core, actions, () => scene?.frameAll());
   const tables = await tablesOf(core);
+  makeSurroundings(core, tables, actions, () => scene?.frameAll());
   makeSide({store, actions, core, tables, savePicture: () => savePicture(store)});
   runPlayback(store);
   scene = startScene(core, poses);

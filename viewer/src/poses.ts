@@ -20,8 +20,8 @@ export interface PoseCache {
   at(motion: OpenMotion, frame: number): FramePoses | null;
   /** The same, for one who waits. */
   wait(motion: OpenMotion, frame: number): Promise<FramePoses | null>;
-  /** Forgets a motion that has changed or closed. */
-  forget(handle: number): void;
+  /** Forgets what belongs to motions that have closed. */
+  keep(motions: readonly OpenMotion[]): void;
 }
 
 const kFramesPerBlock = 64;
@@ -95,8 +95,10 @@ export function makePoseCache(core: Core, onArrival: (handle: number) => void): 
       const block = await blockOf(motion, frame);
       return block === null ? null : frameOf(block, frame);
     },
-    forget(handle) {
-      all.delete(handle);
+    keep(motions) {
+      for (const handle of all.keys()) {
+        if (motions.every((motion) => motion.handle !== handle)) all.delete(handle);
+      }
     },
   };
 }

@@ -10,8 +10,7 @@ const kRounding = 1e-6;
 export const numFrames = (time: Time): number => (time.is_still ? 1 : time.num_frames);
 
 /** Whether frames of a document can be shown at other times: flows and skeletons have none. */
-export const canWarp = ({time, has_frames}: Description): boolean =>
-  !time.is_still && has_frames !== false;
+export const canWarp = ({time, has_frames}: Description): boolean => !time.is_still && has_frames;
 
 /** The time of a frame, from the first frame of its motion. */
 export const timeOfFrame = (time: Time, frame: number): number =>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker owns the core. The packer puts the core's own script, which defines createKinefile,
 // before this one.
+import {unpack} from './unpack.ts';
 
 interface Module {
   HEAPU8: Uint8Array;
@@ -23,13 +24,6 @@ type Message =
   | {id: number; do: 'ask'; question: unknown};
 
 let core: Module;
-
-/** Unpacks base64 of gzip. */
-async function unpack(text: string): Promise<Uint8Array> {
-  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
 
 /** A text in the core's memory, for the time of a call. */
 function withText<T>(text: string, call: (at: number) => T): T {
@@ -87,7 +81,7 @@ function ask(question: unknown): {answer: unknown; transfers: Transferable[]} {
 async function handle(message: Message): Promise<{answer: unknown; transfers: Transferable[]}> {
   switch (message.do) {
     case 'start':
-      core = await createKinefile({wasmBinary: await unpack(message.core)});
+      core = await createKinefile({wasmBinary: new Uint8Array(await unpack(message.core))});
       return {answer: core.UTF8ToString(core._kinefile_version()), transfers: []};
     case 'add':
       add(message.path, message.bytes);

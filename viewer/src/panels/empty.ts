@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is seen before a motion is open.
-import {type Core, isFailure} from '../core/core.ts';
-import type {FormatInfo} from '../core/types.ts';
+import type {Tables} from '../core/types.ts';
 import {button, byId, el} from '../elements.ts';
 import type {Store} from '../state.ts';
 import {fromCore, t} from '../words.ts';
 
 /** Makes what the empty page shows; the formats are those that the core reads. */
-export function makeEmpty(core: Core, store: Store): void {
+export function makeEmpty({formats}: Tables, store: Store): void {
   const empty = byId('empty');
-  let formats: FormatInfo[] = [];
   const choose = (id: string) => byId<HTMLInputElement>(id).click();
   const fill = () => {
     const read = formats.filter((format) => format.is_read);
@@ -36,10 +34,6 @@ export function makeEmpty(core: Core, store: Store): void {
       ]),
     );
   };
-  core.ask('tables', {}).then((tables) => {
-    if (!isFailure(tables)) formats = tables.formats;
-    fill();
-  });
   store.on(['language'], fill);
   store.on(['motions', 'busy'], ({motions, busy}) => {
     empty.hidden = motions.length > 0 || busy !== '';

@@ -4,12 +4,13 @@
 import {isFailure} from '../core/core.ts';
 import type {Diagnostic, FormatInfo, WrittenFile} from '../core/types.ts';
 import {button, el, offerFile} from '../elements.ts';
+import {extensionOf, stemOf} from '../paths.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
-import {commandLine, extensionOf, formatOf, outputName, stemOf} from './steps.ts';
+import {commandLine, formatOf, outputName} from './steps.ts';
 
 /** A name with another extension. */
 const withExtension = (name: string, extension: string): string => stemOf(name) + extension;

@@ -2,13 +2,14 @@
 // What the file is, what is known of its axes and units, and how it is read.
 import type {Description, OptionInfo} from '../core/types.ts';
 import {el} from '../elements.ts';
+import {extensionOf} from '../paths.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {numFrames} from '../times.ts';
 import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {makeField, selectOf} from './fields.ts';
 import {angleUnit, inMetres, lengthUnit, shortNumber, unitName} from './numbers.ts';
-import {extensionOf, formatOf} from './steps.ts';
+import {formatOf} from './steps.ts';
 
 /** `--lenient` is of the command, and so in no table. */
 const lenientOption = (): OptionInfo => ({

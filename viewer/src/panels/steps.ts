@@ -9,6 +9,7 @@ import type {
   Tables,
   WarpWords,
 } from '../core/types.ts';
+import {extensionOf, stemOf} from '../paths.ts';
 import type {OpenMotion} from '../state.ts';
 
 /** The form in which an operation works on a document; null: it does not. */
@@ -89,18 +90,6 @@ function runsOf(steps: Step[]): Run[] {
   }
   return runs;
 }
-
-const baseOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-const dotOf = (path: string): number => {
-  const name = baseOf(path);
-  const dot = name.lastIndexOf('.');
-  return path.length - name.length + (dot > 0 ? dot : name.length);
-};
-
-/** The name of a file without its folder and extension. */
-export const stemOf = (path: string): string => baseOf(path.slice(0, dotOf(path)));
-/** The extension of a file, with its dot. */
-export const extensionOf = (path: string): string => path.slice(dotOf(path));
 
 /** What a name says of the steps that were done. */
 function suffixOf(steps: Step[]): string {

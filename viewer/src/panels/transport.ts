@@ -133,7 +133,7 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     if (motion === undefined) return;
     const {document} = motion;
     warp.disabled = !canWarp(document);
-    titled(warp, t(document.has_frames === false ? 'warp_no_frames' : 'warp_hint'));
+    titled(warp, t(document.has_frames ? 'warp_hint' : 'warp_no_frames'));
     const frame = shownFrame(motion, state.seconds);
     readout.textContent = readoutText(motion, state.seconds);
     others.textContent = otherNumbers(motion, frame);

@@ -2,6 +2,7 @@
 // The editor of the time warp: the map with keys to drag, above the track.
 import type {Actions} from '../actions.ts';
 import type {Core} from '../core/core.ts';
+import type {Tables} from '../core/types.ts';
 import {byId, el} from '../elements.ts';
 import {notify} from '../notify.ts';
 import {goToFrame} from '../playback.ts';
@@ -26,6 +27,7 @@ export interface WarpEditor {
 
 export function makeWarpEditor(
   core: Core,
+  tables: Tables,
   store: Store,
   actions: Actions,
   axis: TimeAxis,
@@ -156,7 +158,7 @@ export function makeWarpEditor(
     add(Math.max(0, Math.min(now.map.motion.document.time.num_frames - 1, Math.round(to))));
   });
 
-  const controls = makeWarpControls(core, store, actions, warping, {
+  const controls = makeWarpControls(core, tables, store, actions, warping, {
     add: addAtPlayhead,
     remove,
     selected: () => selected,
@@ -214,7 +216,7 @@ export function makeWarpEditor(
       const motion = activeMotion(store.state);
       if (store.state.isWarping || motion === undefined) return store.set({isWarping: false});
       const {path, has_frames} = motion.document;
-      if (has_frames === false) return notify(store, t('warp_no_frames'));
+      if (!has_frames) return notify(store, t('warp_no_frames'));
       if (!canWarp(motion.document)) return;
       const isAlone = store.state.motions.every(
         (other) => other === motion || other.document.path !== path,

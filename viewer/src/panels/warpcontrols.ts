@@ -3,7 +3,7 @@
 // numbers, what the core says against it.
 import type {Actions} from '../actions.ts';
 import {type Core, isFailure} from '../core/core.ts';
-import type {OptionInfo} from '../core/types.ts';
+import type {OptionInfo, Tables} from '../core/types.ts';
 import {el, offerFile} from '../elements.ts';
 import {notify} from '../notify.ts';
 import {activeMotion, type Store} from '../state.ts';
@@ -50,6 +50,7 @@ async function copy(text: string, store: Store): Promise<void> {
 
 export function makeWarpControls(
   core: Core,
+  tables: Tables,
   store: Store,
   actions: Actions,
   warping: Warping,
@@ -170,13 +171,9 @@ export function makeWarpControls(
       field.value = value || option.default;
     });
   };
-  core.ask('tables', {}).then((tables) => {
-    if (isFailure(tables)) return;
-    for (const option of tables.warp_options) {
-      if (!kNotControls.has(option.name)) addControl(option);
-    }
-    show();
-  });
+  for (const option of tables.warp_options) {
+    if (!kNotControls.has(option.name)) addControl(option);
+  }
 
   const show = () => {
     const motion = activeMotion(store.state);

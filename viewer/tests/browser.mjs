@@ -76,6 +76,17 @@ export async function drop(tab, files, x = 400, y = 300) {
   throw new Error(`the page saw no drop of ${files}`);
 }
 
+/**
+ * What a function says of the first element of a selector. One step in the page: between the two of
+ * `$eval` the page may replace the element, which then has no style.
+ */
+export const ofFirst = (tab, selector, read) =>
+  tab.evaluate(`(${read})(document.querySelector(${JSON.stringify(selector)}))`);
+
+/** The same of all elements of a selector. */
+export const ofAll = (tab, selector, read) =>
+  tab.evaluate(`(${read})([...document.querySelectorAll(${JSON.stringify(selector)})])`);
+
 /** Runs the command. */
 export const run = (...words) => execFileSync(kinefile, words, {encoding: 'utf8'});
 

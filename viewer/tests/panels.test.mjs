@@ -5,7 +5,7 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {drop, imported, kinefile, launch, openPage, out, phone, root} from './browser.mjs';
+import {drop, imported, kinefile, launch, ofFirst, openPage, out, phone, root} from './browser.mjs';
 
 const folder = join(out, 'panels');
 mkdirSync(folder, {recursive: true});
@@ -508,7 +508,7 @@ test('a phone, in Japanese and dark', async () => {
   await isShown(tab, '.readouts h2', 'フレーム 0');
   for (const panel of ['joints', 'curves', 'edit', 'info', 'check', 'export']) {
     await openTab(tab, panel);
-    const [wide, wanted] = await tab.$eval(`#panel-${panel}`, (own) => [
+    const [wide, wanted] = await ofFirst(tab, `#panel-${panel}`, (own) => [
       own.clientWidth,
       own.scrollWidth,
     ]);

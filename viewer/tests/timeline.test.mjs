@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {data, drop, launch, openPage, out, page, phone, root} from './browser.mjs';
+import {data, drop, launch, ofAll, ofFirst, openPage, out, page, phone, root} from './browser.mjs';
 import {carryingPage, fileOf, smallAmc, smallAsf, smallBvh} from './motions.mjs';
 
 const kSmall = {viewport: {width: 900, height: 620}, reducedMotion: 'reduce'};
@@ -142,7 +142,7 @@ test('the playhead hides no number of the ruler', async (t) => {
 
 test('a motion of one frame has no time', async (t) => {
   const {tab, faults} = await withPage(t, [fileOf('single.bvh', smallBvh(1))]);
-  const labels = () => tab.$$eval('.track .label', (all) => all.map((one) => one.textContent));
+  const labels = () => ofAll(tab, '.track .label', (all) => all.map((one) => one.textContent));
   assert.deepEqual(await labels(), ['0']);
   assert.equal(await textOf(tab, '.readout'), '1 frame');
   await tab.click('.unit');
@@ -248,7 +248,7 @@ test('views and what is shown: each key', async (t) => {
   assert.equal(await tab.isVisible('#time'), true);
   await press(tab, '?');
   assert.equal(await tab.isVisible('#help'), true);
-  const together = await tab.$$eval('#help .keys td:first-child', (all) =>
+  const together = await ofAll(tab, '#help .keys td:first-child', (all) =>
     all.map((cell) => [cell.textContent, cell.querySelectorAll('kbd').length]),
   );
   assert.deepEqual(
@@ -272,7 +272,7 @@ test('views and what is shown: each key', async (t) => {
 test('time warp: a dragged key changes the frames, and one undo takes the drag back', async (t) => {
   const {tab, faults} = await withPage(t, [bvh]);
   await withKey(tab);
-  const colours = await tab.$$eval('.motion .swatch', (all) =>
+  const colours = await ofAll(tab, '.motion .swatch', (all) =>
     all.map((one) => one.style.background),
   );
   assert.deepEqual(colours, ['rgb(242, 183, 5)', 'rgb(61, 139, 255)']);
@@ -585,7 +585,7 @@ test('every word is there in both languages', () => {
 
 /** The contrast of a text with the first ground below it that is not transparent. */
 const contrastOf = (tab, selector) =>
-  tab.$eval(selector, (element) => {
+  ofFirst(tab, selector, (element) => {
     const parts = (text) => text.match(/[\d.]+/g).map(Number);
     const light = ([r, g, b]) => {
       const linear = [r, g, b].map((part) => {
@@ -636,7 +636,7 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
       return [scrollWidth, clientWidth];
     });
     assert.ok(scroll <= client && client === 390, `${what}: ${scroll} in ${client}`);
-    const outside = await tab.$$eval('body *', (all) =>
+    const outside = await ofAll(tab, 'body *', (all) =>
       all
         .filter((one) => one.closest('[hidden], svg, dialog, #views') === null)
         .filter((one) => one.getBoundingClientRect().right > 390.5)
@@ -717,12 +717,16 @@ test('a phone: nothing is wider than the screen, all works by touch', async (t) 
   await tab.screenshot({path: join(out, 'timeline-phone-warped.png')});
   await tab.tap('.help-button');
   await tab.waitForSelector('#help[open]');
-  const wide = await tab.$eval('#help', (help) => help.scrollWidth - help.clientWidth);
+  const wide = await ofFirst(tab, '#help', (help) => help.scrollWidth - help.clientWidth);
   assert.ok(wide <= 0, `the help is ${wide} pixels too wide`);
-  const sections = await tab.$$eval('#help section', (all) => all.map((one) => one.className));
+  const sections = await ofAll(tab, '#help section', (all) => all.map((one) => one.className));
   assert.deepEqual(sections, ['gestures', 'keys', 'about']);
   assert.doesNotMatch(await textOf(tab, '#help .columns'), /Ctrl|Alt\b|[Ww]heel|[Rr]ight button/);
-  const scrolls = await tab.$eval('#help .columns', (one) => one.scrollHeight - one.clientHeight);
+  const scrolls = await ofFirst(
+    tab,
+    '#help .columns',
+    (one) => one.scrollHeight - one.clientHeight,
+  );
   assert.ok(scrolls > 0, 'the columns scroll below the heading');
   await tab.screenshot({path: join(out, 'timeline-phone-help.png')});
   assert.deepEqual(faults, []);

@@ -81,16 +81,6 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
   return exit_code_of(error);
 }
 
-Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict) {
-  Diagnostics diagnostics;
-  diagnostics.warnings_are_errors = is_strict;
-  for (Diagnostic item : noticed.items()) {
-    if (item.place.source.empty()) item.place.source = file;
-    diagnostics.add(std::move(item));
-  }
-  return diagnostics;
-}
-
 void print_data(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 int finish_output(int exit_code, const Globals& globals) {

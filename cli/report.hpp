@@ -20,9 +20,6 @@ void print_error(const Error& error, const Globals& globals);
 int print_failure(Error error, const Diagnostics& diagnostics, const std::string& file,
                   const Globals& globals);
 
-/// The diagnostics of an operation, whose sources are empty, with the name of the file.
-Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict);
-
 /// Prints data on stdout. `finish_output` detects faults.
 void print_data(std::string_view text);
 

@@ -90,6 +90,10 @@ class Diagnostics {
   std::map<std::pair<std::string, Severity>, std::size_t> counts_;
 };
 
+/// The same diagnostics; those without a source get one.
+/// \param are_strict  whether warnings become errors (`Diagnostics::warnings_are_errors`)
+Diagnostics named(const Diagnostics& diagnostics, const std::string& source, bool are_strict);
+
 /// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, if there is
 /// an excerpt, the source line and a caret. No final newline.
 std::string to_string(const Diagnostic& diagnostic);

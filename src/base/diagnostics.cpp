@@ -89,6 +89,16 @@ Error Diagnostics::first_error() const {
   return error;
 }
 
+Diagnostics named(const Diagnostics& diagnostics, const std::string& source, bool are_strict) {
+  Diagnostics all;
+  all.warnings_are_errors = are_strict;
+  for (Diagnostic item : diagnostics.items()) {
+    if (item.place.source.empty()) item.place.source = source;
+    all.add(std::move(item));
+  }
+  return all;
+}
+
 namespace {
 
 /// Whether a terminal shows this code point in two columns: approximately the East Asian scripts.

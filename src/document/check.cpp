@@ -29,10 +29,7 @@ void check(const Document& document, const CheckOptions& options, Diagnostics& d
   } else if (options.robot && !has_skeleton(document)) {
     check_on_robot(document, options, found);
   }
-  for (Diagnostic item : found.items()) {
-    if (item.place.source.empty()) item.place.source = options.name;
-    diagnostics.add(std::move(item));
-  }
+  diagnostics.append(named(found, options.name, diagnostics.warnings_are_errors));
 }
 
 Result<void> check(const DocumentSource& source, const CheckOptions& options,

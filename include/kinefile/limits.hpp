@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "kinefile/motion.hpp"
@@ -27,6 +29,21 @@ struct LimitBreach {
 /// Finds the joints of a motion that leave the limits of their degrees of freedom: one entry per
 /// degree of freedom and kind of breach, in skeleton order. Values that are not finite are skipped.
 std::vector<LimitBreach> find_limit_breaches(const Motion& motion);
+
+/// Which limit of position a value of a degree of freedom exceeds, by more than rounding; nothing:
+/// none.
+std::optional<LimitBreach::Kind> breach_of(const DegreeOfFreedom& dof, double value);
+
+/// The unit in which people are told the values of a degree of freedom.
+struct ToldUnit {
+  double factor = 1;      ///< of a value in the skeleton's unit
+  std::string_view name;  ///< "deg", "m", or "units": of the file, whose size is not known; empty
+                          ///< for a scale
+};
+
+/// Angles in degrees, lengths in metres where the skeleton says its unit of length.
+/// Precondition: the degree of freedom reads one column.
+ToldUnit told_unit(const DegreeOfFreedom& dof, const Skeleton& skeleton);
 
 }  // namespace kinefile
 

@@ -14,22 +14,31 @@
 namespace kinefile {
 namespace {
 
+/// A value of a degree of freedom with its unit: "12.5 deg", of a speed "12.5 deg/s".
+std::string with_unit(double value, const ToldUnit& unit, bool is_speed) {
+  std::string text = fmt::format("{:.6g}", value * unit.factor);
+  if (!unit.name.empty()) text.append(" ").append(unit.name);
+  return is_speed ? text + "/s" : text;
+}
+
 /// A breach of a limit, as a sentence.
 std::string sentence_of(const LimitBreach& breach, const Skeleton& skeleton) {
-  const std::string& joint = skeleton.joints[breach.joint].name;
-  if (breach.kind == LimitBreach::Kind::TooFast) {
+  const Joint& joint = skeleton.joints[breach.joint];
+  const ToldUnit unit = told_unit(joint.dofs[breach.dof], skeleton);
+  const bool is_speed = breach.kind == LimitBreach::Kind::TooFast;
+  const std::string worst = with_unit(breach.worst, unit, is_speed);
+  const std::string limit = with_unit(breach.limit, unit, is_speed);
+  if (is_speed) {
     return fmt::format(
-        "joint '{}' moves at up to {:.6g} a second (to frame {}), its limit is "
-        "{:.6g}; too fast in {} frames, first in {}",
-        joint, breach.worst, breach.worst_frame, breach.limit, breach.num_frames,
-        breach.first_frame);
+        "joint '{}' moves at up to {} (to frame {}), its limit is {}; too fast in {} frames, first "
+        "in {}",
+        joint.name, worst, breach.worst_frame, limit, breach.num_frames, breach.first_frame);
   }
   const bool is_below = breach.kind == LimitBreach::Kind::Below;
   return fmt::format(
-      "joint '{}' goes {} to {:.6g} (frame {}), its limit is {:.6g}; beyond it in "
-      "{} frames, first in {}",
-      joint, is_below ? "down" : "up", breach.worst, breach.worst_frame, breach.limit,
-      breach.num_frames, breach.first_frame);
+      "joint '{}' goes {} to {} (frame {}), its limit is {}; beyond it in {} frames, first in {}",
+      joint.name, is_below ? "down" : "up", worst, breach.worst_frame, limit, breach.num_frames,
+      breach.first_frame);
 }
 
 /// A sudden turn, as a sentence.

@@ -11,9 +11,13 @@ namespace {
 /// because of rounding.
 constexpr double kTolerance = 1e-9;
 
+bool is_beyond(double limit, double excess) {
+  return excess > kTolerance * std::max(std::abs(limit), 1.0);
+}
+
 /// Records a frame that is beyond a limit.
 void count(LimitBreach& breach, std::size_t frame, double value, double excess, double& worst) {
-  if (!(excess > kTolerance * std::max(std::abs(breach.limit), 1.0))) return;
+  if (!is_beyond(breach.limit, excess)) return;
   if (breach.num_frames == 0) breach.first_frame = frame;
   ++breach.num_frames;
   if (!(excess > worst)) return;
@@ -47,6 +51,21 @@ void find_breaches(const Motion& motion, std::size_t joint, std::size_t dof_inde
 }
 
 }  // namespace
+
+std::optional<LimitBreach::Kind> breach_of(const DegreeOfFreedom& dof, double value) {
+  if (is_beyond(dof.lower, dof.lower - value)) return LimitBreach::Kind::Below;
+  if (is_beyond(dof.upper, value - dof.upper)) return LimitBreach::Kind::Above;
+  return std::nullopt;
+}
+
+ToldUnit told_unit(const DegreeOfFreedom& dof, const Skeleton& skeleton) {
+  if (dof.kind == DofKind::Rotation) {
+    return {radians_per(skeleton.angle_unit) / kRadiansPerDegree, "deg"};
+  }
+  if (dof.kind == DofKind::TailScale) return {1, ""};
+  if (skeleton.metres_per_unit > 0) return {skeleton.metres_per_unit, "m"};
+  return {1, "units"};
+}
 
 std::vector<LimitBreach> find_limit_breaches(const Motion& motion) {
   std::vector<LimitBreach> breaches;

@@ -41,12 +41,13 @@ TEST(Check, SuddenTurnsAreNotesInASentenceEach) {
 TEST(Check, ARobotThatLeavesItsLimitsIsWarnedOf) {
   const Document body{hinge_motion({0.9, 1.1, 1.2, 0.5}), "", {}};
   EXPECT_EQ(checked(body, {"a.seq"}), "");
-  EXPECT_EQ(
-      checked(body, {"a.seq", source_of({hinge_robot(), "", {}})}),
-      "a.seq: warning[MOT003]: joint 'HINGE' goes up to 1.2 (frame 2), its limit is 1; beyond "
-      "it in 2 frames, first in 1\n"
-      "a.seq: warning[MOT004]: joint 'HINGE' moves at up to 7 a second (to frame 3), its "
-      "limit is 2; too fast in 1 frames, first in 3\n");
+  EXPECT_EQ(checked(body, {"a.seq", source_of({hinge_robot(), "", {}})}),
+            "a.seq: warning[MOT003]: joint 'HINGE' goes up to 68.7549 deg (frame 2), its limit is "
+            "57.2958 "
+            "deg; beyond it in 2 frames, first in 1\n"
+            "a.seq: warning[MOT004]: joint 'HINGE' moves at up to 401.07 deg/s (to frame 3), its "
+            "limit is "
+            "114.592 deg/s; too fast in 1 frames, first in 3\n");
 }
 
 TEST(Check, AFigureThatLeavesItsLimitsIsNotedOnceAJointAndKind) {
@@ -60,8 +61,8 @@ TEST(Check, AFigureThatLeavesItsLimitsIsNotedOnceAJointAndKind) {
   figure.clip.num_coordinates = 2;
   figure.clip.values = {12, 25};
   EXPECT_EQ(checked({figure, "", {}}, {"a.amc"}),
-            "a.amc: note[MOT003]: joint 'arm' goes up to 25 (frame 0), its limit is 10; beyond it "
-            "in 1 frames, first in 0\n");
+            "a.amc: note[MOT003]: joint 'arm' goes up to 25 deg (frame 0), its limit is 10 deg; "
+            "beyond it in 1 frames, first in 0\n");
 }
 
 TEST(Check, WhatCannotBePutOnTheRobotIsAnError) {

@@ -39,6 +39,29 @@ TEST(Limits, EachSideHasItsFirstAndItsWorstFrame) {
   EXPECT_EQ(breaches[0].limit, 1);
 }
 
+TEST(Limits, AValueIsBeyondOneBound) {
+  const DegreeOfFreedom dof = hinge({}).skeleton.joints[0].dofs[0];
+  EXPECT_EQ(breach_of(dof, -1.1), LimitBreach::Kind::Below);
+  EXPECT_EQ(breach_of(dof, 1.1), LimitBreach::Kind::Above);
+  EXPECT_EQ(breach_of(dof, 1 + 1e-12), std::nullopt);
+  EXPECT_EQ(breach_of(dof, std::nan("")), std::nullopt);
+}
+
+TEST(Limits, PeopleAreToldDegreesAndMetres) {
+  Skeleton skeleton;
+  skeleton.angle_unit = AngleUnit::Radians;
+  DegreeOfFreedom dof;
+  EXPECT_DOUBLE_EQ(told_unit(dof, skeleton).factor * std::acos(-1.0), 180);
+  EXPECT_EQ(told_unit(dof, skeleton).name, "deg");
+  skeleton.angle_unit = AngleUnit::Degrees;
+  EXPECT_EQ(told_unit(dof, skeleton).factor, 1);
+  dof.kind = DofKind::Translation;
+  EXPECT_EQ(told_unit(dof, skeleton).name, "units");
+  skeleton.metres_per_unit = 0.01;
+  EXPECT_EQ(told_unit(dof, skeleton).factor, 0.01);
+  EXPECT_EQ(told_unit(dof, skeleton).name, "m");
+}
+
 TEST(Limits, SpeedIsTheWayFromFrameToFrame) {
   const auto breaches = find_limit_breaches(hinge({0, 0.2, 0.5, 0.5}));
   ASSERT_EQ(breaches.size(), 1u);

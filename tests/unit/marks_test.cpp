@@ -57,9 +57,10 @@ TEST(Marks, OfARobotAreWarnings) {
   EXPECT_EQ(marks[1].num_frames, 2u);
   EXPECT_EQ(marks[1].worst_frame, 2u);
   EXPECT_EQ(marks[1].code, "MOT003");
-  EXPECT_EQ(marks[1].message,
-            "joint 'HINGE' goes up to 1.2 (frame 2), its limit is 1; beyond it in 2 frames, first "
-            "in 1");
+  EXPECT_EQ(
+      marks[1].message,
+      "joint 'HINGE' goes up to 68.7549 deg (frame 2), its limit is 57.2958 deg; beyond it in "
+      "2 frames, first in 1");
   EXPECT_EQ(marks[2].kind, Kind::TooFast);
   EXPECT_EQ(marks[2].worst_frame, 4u);
   EXPECT_EQ(marks[2].code, "MOT004");

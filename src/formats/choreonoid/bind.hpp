@@ -18,6 +18,9 @@ struct KeptFile {
   bool is_json = false;
   bool has_comments = false;
   std::string unknown_keys;  ///< as YAML lines
+  /// How frames with times became frames of a steady rate; absent: they have no times, or keep
+  /// them.
+  std::optional<TimedRounding> rounding = std::nullopt;
 };
 
 /// The data that a component keeps from a .seq file.

@@ -199,6 +199,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   if (tree == nullptr) return fail(diagnostics.first_error());
   const Reader reader{source, *tree, options, diagnostics};
   SeqFile file = parse(reader);
+  std::optional<TimedRounding> rounding;
   for (SeqComponent& component : file.components) {
     if (diagnostics.has_errors()) break;
     if (!component.has_times) continue;
@@ -206,6 +207,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
       check_kept_times(reader, component);
     } else {
       resample_timed(reader, component);
+      rounding = options.timed_rounding;
     }
   }
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
@@ -215,7 +217,9 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   check_motion(reader, file);
   Document document;
   document.format = "choreonoid";
-  document.kept = Kept(kept_of(file, layout_of(*decoded)));
+  KeptFile kept = kept_of(file, layout_of(*decoded));
+  kept.rounding = rounding;
+  document.kept = Kept(std::move(kept));
   document.content = bind(std::move(file), options.fps);
   return document;
 }
@@ -238,6 +242,15 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   return {};
 }
 
+/// How frames with times were read.
+Fact fact_of(TimedRounding rounding) {
+  const std::string_view word = kRoundings[static_cast<std::size_t>(rounding)];
+  const bool holds = rounding != TimedRounding::Slerp;
+  return {"timed_rounding", std::string(word),
+          holds ? "timed frames hold their values (--timed-rounding slerp interpolates)"
+                : "timed frames are interpolated"};
+}
+
 std::vector<Fact> facts(const Document& document) {
   const KeptFile* const kept = document.kept.get<KeptFile>();
   if (kept == nullptr) return {};
@@ -248,6 +261,7 @@ std::vector<Fact> facts(const Document& document) {
                            {"keys", keys, keys},
                            {"style", style, style + " style"}};
   for (Fact& fact : facts_of(kept->text)) all.push_back(std::move(fact));
+  if (kept->rounding) all.push_back(fact_of(*kept->rounding));
   if (kept->has_comments) all.push_back({"comments", "yes", {}});
   if (!kept->unknown_keys.empty()) all.push_back({"unknown_keys", kept->unknown_keys, {}});
   return all;

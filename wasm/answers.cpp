@@ -9,6 +9,7 @@
 #include "kinefile/check.hpp"
 #include "kinefile/io.hpp"
 #include "kinefile/joint_curves.hpp"
+#include "kinefile/limits.hpp"
 #include "kinefile/marks.hpp"
 #include "kinefile/process.hpp"
 #include "kinefile/retime.hpp"
@@ -67,13 +68,27 @@ Opening opening_of(const Json& question) {
           .options = options};
 }
 
+/// How a file opens leniently: the words to ask `open` with; null: it does not.
+Json words_of(const std::optional<Opening>& opening) {
+  if (!opening) return nullptr;
+  return {{"skeleton", opening->skeleton},
+          {"servo_map", opening->servo_map},
+          {"project", opening->project},
+          {"options", opening->options}};
+}
+
 /// Opens one file, or opens it again in place of a document: {"path", "skeleton", "servo_map",
 /// "project", "options", "handle"}.
 Json open_file(Session& session, const Json& question) {
   Diagnostics diagnostics;
-  auto slot = open(session, opening_of(question), diagnostics);
-  if (!slot) return failure(slot.error(), diagnostics);
   const int given = question.value("handle", 0);
+  const Opening opening = opening_of(question);
+  auto slot = open(session, opening, diagnostics);
+  if (!slot) {
+    Json failed = failure(slot.error(), diagnostics);
+    if (given == 0) failed["leniently"] = words_of(lenient_opening(session, opening, slot.error()));
+    return failed;
+  }
   const int handle = given != 0 ? given : session.next_handle++;
   session.slots.insert_or_assign(handle, std::move(*slot));
   return {{"handle", handle},
@@ -81,7 +96,8 @@ Json open_file(Session& session, const Json& question) {
           {"diagnostics", json_of(diagnostics)}};
 }
 
-/// Opens several files: {"paths", "most"}.
+/// Opens several files: {"paths", "few"}. The answer has all open documents, and describes those
+/// that are new or were read again.
 Json open_files(Session& session, const Json& question) {
   const auto paths = question.value("paths", std::vector<std::string>());
   std::vector<std::string> known;
@@ -89,18 +105,21 @@ Json open_files(Session& session, const Json& question) {
     if (session.files.contains(path)) known.push_back(path);
   }
   constexpr const char* kWhats[] = {"document", "companion", "waiting", "fault", "unknown"};
+  constexpr unsigned kFew = 4;  // figures that a person tells apart at first sight
+  const OpenedFiles all = open_all(session, known, question.value("few", kFew));
   Json opened = Json::array();
-  for (const Opened& one : open_all(session, std::move(known), question.value("most", 8u))) {
-    Json json = {{"path", one.path},
-                 {"what", kWhats[static_cast<std::size_t>(one.what)]},
-                 {"format", one.format},
-                 {"diagnostics", json_of(one.diagnostics)}};
-    json["handle"] = one.handle;
-    opened.push_back(std::move(json));
+  for (const Opened& one : all.files) {
+    opened.push_back({{"path", one.path},
+                      {"what", kWhats[static_cast<std::size_t>(one.what)]},
+                      {"format", one.format},
+                      {"handle", one.handle},
+                      {"diagnostics", json_of(one.diagnostics)},
+                      {"leniently", words_of(one.leniently)}});
   }
   Json documents = Json::array();
   for (const auto& [handle, slot] : session.slots) {
-    documents.push_back({{"handle", handle}, {"document", describe(slot)}});
+    const bool is_changed = all.changed.contains(handle);
+    documents.push_back({{"handle", handle}, {"document", is_changed ? describe(slot) : Json()}});
   }
   return {{"opened", std::move(opened)}, {"documents", std::move(documents)}};
 }
@@ -134,6 +153,21 @@ Json poses(Held& held, const Slot& slot, const Json& question) {
           {"tips", as_floats(held, poses.tips)}};
 }
 
+/// The values of a robot's joint, in the units that its description has, and which limit each of
+/// them is beyond.
+Json dof_values(const Motion& motion, const Joint& joint, std::span<const double> row) {
+  Json json = Json::array();
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (num_coordinates(dof) != 1) continue;
+    const double value = value_of(dof, row[dof.coordinate]);
+    const auto breach = breach_of(dof, value);
+    const bool is_below = breach == LimitBreach::Kind::Below;
+    json.push_back({{"value", number(value * told_unit(dof, motion.skeleton).factor)},
+                    {"beyond", breach ? Json(is_below ? "below" : "above") : Json()}});
+  }
+  return json;
+}
+
 /// {"handle", "frame", "joint"}: the joint's pose and its values.
 Json joint(const Slot& slot, const Json& question) {
   const Motion& motion = motion_of(slot);
@@ -154,6 +188,7 @@ Json joint(const Slot& slot, const Json& question) {
     if (coordinate.joint == j)
       json["channels"].push_back({{"name", coordinate.channel}, {"value", number(row[c])}});
   }
+  if (j > 0 && is_of_robot(slot)) json["dofs"] = dof_values(motion, motion.skeleton.joints[j], row);
   return json;
 }
 

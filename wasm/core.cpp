@@ -20,14 +20,17 @@ std::string text;  // NOLINT(*-global-*)
 
 extern "C" {
 
-/// Adds a file. The memory at `bytes`, from malloc, then belongs to the core.
-void kinefile_add_file(const char* path, char* bytes, std::size_t size) {
+/// Adds a file. The memory at `bytes`, from malloc, then belongs to the core. Returns whether a
+/// file of this path with the same bytes was there already.
+bool kinefile_add_file(const char* path, char* bytes, std::size_t size) {
   const std::shared_ptr<const void> owner(bytes, [](const void* memory) {
     std::free(const_cast<void*>(memory));  // NOLINT: made by malloc in the worker
   });
   using Bytes = kinefile::Array<char>;
-  session.files[normalised(path)] =
-      std::make_shared<const Bytes>(Bytes::adopt({bytes, size}, owner));
+  auto& file = session.files[normalised(path)];
+  if (file != nullptr && view(*file) == std::string_view(bytes, size)) return true;
+  file = std::make_shared<const Bytes>(Bytes::adopt({bytes, size}, owner));
+  return false;
 }
 
 /// Answers a question. The answer is valid until the next one.

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "kinefile/evidence.hpp"
 #include "kinefile/info.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/limits.hpp"
 #include "kinefile/retime_documents.hpp"
-#include "kinefile/robot.hpp"
 #include "kinefile/timeline.hpp"
 
 namespace kinefile::page {
@@ -27,6 +28,42 @@ Json box(const Box& box) {
 const char* name_of(Certainty certainty) {
   constexpr const char* kNames[] = {"known", "clear", "doubtful"};
   return kNames[static_cast<std::size_t>(certainty)];
+}
+
+/// A limit in the unit in which people are told it; null: there is none.
+Json limit_of(double limit, const ToldUnit& unit) {
+  return std::isfinite(limit) ? Json(limit * unit.factor) : Json();
+}
+
+/// How a joint of a robot can move.
+/// \param id  the joint id by which files of joint values move it; absent: they do not
+Json dofs_of(const Skeleton& skeleton, const Joint& joint, std::optional<std::size_t> id) {
+  Json json = Json::array();
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (num_coordinates(dof) != 1) continue;
+    const ToldUnit unit = told_unit(dof, skeleton);
+    json.push_back({{"kind", dof.kind == DofKind::Rotation ? "rotation" : "translation"},
+                    {"axis", vector(dof.axis)},
+                    {"unit", unit.name},
+                    {"lower", limit_of(dof.lower, unit)},
+                    {"upper", limit_of(dof.upper, unit)},
+                    {"max_speed", limit_of(dof.max_speed, unit)},
+                    {"id", id ? Json(*id) : Json()}});
+  }
+  return json;
+}
+
+/// The joint ids of a robot's joints: their columns, counted after those of the root.
+std::vector<std::optional<std::size_t>> ids_of(const Skeleton& skeleton) {
+  const auto is_of_root = [](const Coordinate& coordinate) { return coordinate.joint == 0; };
+  const auto num_root = static_cast<std::size_t>(
+      std::count_if(skeleton.coordinates.begin(), skeleton.coordinates.end(), is_of_root));
+  auto ids = value_columns(skeleton);
+  for (std::size_t j = 0; j < ids.size(); ++j) {
+    const bool is_own = ids[j] && *ids[j] >= num_root && skeleton.coordinates[*ids[j]].joint == j;
+    ids[j] = is_own ? std::optional(*ids[j] - num_root) : std::nullopt;
+  }
+  return ids;
 }
 
 Json json_of(const Joint& joint) {
@@ -81,9 +118,15 @@ std::vector<const char*> measures_of(const Skeleton& skeleton) {
   return measures;
 }
 
-Json joints_of(const Skeleton& skeleton) {
+Json joints_of(const Skeleton& skeleton, bool is_robot) {
   Json joints = Json::array();
   for (const Joint& joint : skeleton.joints) joints.push_back(json_of(joint));
+  if (is_robot) {
+    const auto ids = ids_of(skeleton);
+    for (std::size_t j = 1; j < ids.size(); ++j) {
+      joints[j]["dofs"] = dofs_of(skeleton, skeleton.joints[j], ids[j]);
+    }
+  }
   const std::vector<const char*> measures = measures_of(skeleton);
   for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
     const Coordinate& coordinate = skeleton.coordinates[c];
@@ -191,6 +234,16 @@ Json json_of(const Diagnostics& diagnostics) {
   return json;
 }
 
+namespace {
+
+/// Whether it is known where the figure is: the joint values alone of a robot do not say it.
+bool has_place(const Slot& slot) {
+  const std::optional<BodyMotion>& recorded = slot.table.placed.recorded;
+  return !recorded || find_component(*recorded, ComponentKind::Poses, kLinkPosition) != nullptr;
+}
+
+}  // namespace
+
 Json describe(const Slot& slot) {
   const Motion& motion = motion_of(slot);
   const Skeleton& skeleton = motion.skeleton;
@@ -200,16 +253,18 @@ Json describe(const Slot& slot) {
                {"skeleton", slot.opening.skeleton},
                {"servo_map", slot.opening.servo_map},
                {"project", slot.opening.project},
+               {"companions", slot.opened},
                {"options", slot.opening.options},
                {"has_frames", retime::has_frames(slot.current)},
-               {"is_robot", robot::is_robot(skeleton)},
+               {"is_robot", is_of_robot(slot)},
+               {"has_place", has_place(slot)},
                {"angle_unit", skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians"},
                {"metres_per_unit", number(skeleton.metres_per_unit)}};
   json["facts"] = Json::array();
   for (const Fact& fact : facts_of(slot.source)) {
     if (!fact.words.empty()) json["facts"].push_back(fact.words);
   }
-  json["joints"] = joints_of(skeleton);
+  json["joints"] = joints_of(skeleton, is_of_robot(slot));
   json["num_coordinates"] = skeleton.coordinates.size();
   json["time"] = time_of(motion, slot.table.options.rest);
   json["extent"] = box(world_extent(skeleton, motion.clip));

@@ -7,10 +7,13 @@
 #include "kinefile/io.hpp"
 #include "kinefile/place.hpp"
 #include "kinefile/retime_documents.hpp"
+#include "kinefile/robot.hpp"
 #include "kinefile/run.hpp"
 
 namespace kinefile::page {
 namespace {
+
+bool is_lenient(const Opening& opening) { return opening.options.value("lenient", false); }
 
 Result<std::string_view> bytes_of(const FileSet& files, const std::string& path) {
   const auto found = files.find(path);
@@ -61,7 +64,7 @@ Result<std::shared_ptr<const Document>> read_model(const FileSet& files, Slot& s
 }
 
 Result<std::shared_ptr<const RobotProject>> read_project_of(const FileSet& files, Slot& slot,
-                                                            bool is_lenient,
+                                                            bool lenient,
                                                             Diagnostics& diagnostics) {
   const std::string& path = slot.opening.project;
   if (path.empty()) return nullptr;
@@ -70,7 +73,7 @@ Result<std::shared_ptr<const RobotProject>> read_project_of(const FileSet& files
   slot.opened.insert(path);
   ReadOptions options;
   options.source_name = path;
-  options.lenient = is_lenient;
+  options.lenient = lenient;
   options.companions = files_beside(files, path, slot.opened);
   auto project = read_project(*bytes, options, diagnostics);
   if (!project) return fail(std::move(project.error()));
@@ -98,8 +101,8 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
                         Diagnostics& diagnostics) {
   const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
   if (flow == nullptr) return document;
-  const bool is_lenient = slot.opening.options.value("lenient", false);
-  auto project = read_project_of(session.files, slot, is_lenient, diagnostics);
+  const bool lenient = is_lenient(slot.opening);
+  auto project = read_project_of(session.files, slot, lenient, diagnostics);
   if (!project) return fail(std::move(project.error()));
   auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
   if (!map) return fail(std::move(map.error()));
@@ -122,11 +125,11 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
 
 /// Places the current document in the world.
 Result<void> place_current(const Session& session, Slot& slot, Diagnostics& diagnostics) {
-  const bool is_lenient = slot.opening.options.value("lenient", false);
+  const bool lenient = is_lenient(slot.opening);
   auto document = moving(session, slot, slot.current, diagnostics);
   if (!document) return fail(std::move(document.error()));
   slot.played = std::move(*document);
-  auto placed = place(slot.played, source_of_model(slot), is_lenient, diagnostics);
+  auto placed = place(slot.played, source_of_model(slot), lenient, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   FkOptions options;
   options.name = slot.opening.path;
@@ -164,7 +167,7 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
   const auto operation = parse_operation(word);
   if (!operation) return fail(operation.error());
   OperationContext context;
-  context.lenient = slot.opening.options.value("lenient", false);
+  context.lenient = is_lenient(slot.opening);
   context.open = [&](const std::string& name) {
     std::set<std::string> opened;
     return read(session.files, name, nullptr, {}, opened, diagnostics);
@@ -182,6 +185,11 @@ DocumentSource source_of_model(const Slot& slot) {
   return [model = slot.model](Diagnostics&) -> Result<std::shared_ptr<const Document>> {
     return model;
   };
+}
+
+bool is_of_robot(const Slot& slot) {
+  const bool is_on_robot = slot.model != nullptr && robot::is_robot(skeleton_of(*slot.model));
+  return is_on_robot || robot::is_robot(motion_of(slot).skeleton);
 }
 
 std::string text_of(const Json& object, const char* key) {
@@ -208,6 +216,20 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
   if (!placed) return fail(std::move(placed.error()));
   slot.noticed = diagnostics;
   return slot;
+}
+
+std::optional<Opening> lenient_opening(const Session& session, const Opening& failed,
+                                       const Error& error) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 25;  // a second or two
+  const auto file = session.files.find(failed.path);
+  const bool is_of_content =
+      error.kind == ErrorKind::InvalidInput || error.kind == ErrorKind::DataLoss;
+  if (!is_of_content || is_lenient(failed) || file == session.files.end()) return std::nullopt;
+  Opening lenient = failed;
+  lenient.options["lenient"] = true;
+  Diagnostics ignored;
+  const bool opens = file->second->size() > kMostBytes || open(session, lenient, ignored);
+  return opens ? std::optional(std::move(lenient)) : std::nullopt;
 }
 
 Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,

@@ -53,6 +53,13 @@ struct Session {
 ///         (Usage) for an option that its formats do not have, or with an invalid word
 Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& diagnostics);
 
+/// How a file opens leniently that could not be opened; nothing if leniency does not help. A file
+/// that takes long to read is not tried, and is said to open.
+/// \param failed  how it could not be opened
+/// \param error   why not
+std::optional<Opening> lenient_opening(const Session& session, const Opening& failed,
+                                       const Error& error);
+
 /// Applies steps to what was read, in order: {"operation": "trim=10:20"} or
 /// {"warp": {"key": "150:160", "tail": "extend"}}. After an error nothing has changed.
 /// \errors those of the operations, of `retime::warp_map`, `place` and `fk`
@@ -61,6 +68,9 @@ Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
 
 /// Gives the model of a slot; null if it has none. The slot need not outlive it.
 DocumentSource source_of_model(const Slot& slot);
+
+/// Whether a slot shows a robot: its model, or a motion on it.
+bool is_of_robot(const Slot& slot);
 
 /// The motion that a slot shows.
 inline const Motion& motion_of(const Slot& slot) { return slot.table.placed.motion; }

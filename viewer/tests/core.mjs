@@ -24,7 +24,7 @@ export async function openCore() {
     addFile(path, bytes) {
       const at = core._malloc(Math.max(1, bytes.length));
       core.HEAPU8.set(bytes, at);
-      withText(path, (name) => core._kinefile_add_file(name, at, bytes.length));
+      return withText(path, (name) => core._kinefile_add_file(name, at, bytes.length) !== 0);
     },
     ask(question, of = {}) {
       const asked = JSON.stringify({ask: question, ...of});

@@ -8,6 +8,7 @@ import {basename, join} from 'node:path';
 import {test} from 'node:test';
 import {data, root, run} from './browser.mjs';
 import {openCore} from './core.mjs';
+import {smallAmc, smallAsf, smallBvh} from './motions.mjs';
 
 const real = join(data, 'bvh/real');
 
@@ -175,15 +176,22 @@ test('files that come one by one, in any order, end as those that come together'
   ];
   for (const order of orders) {
     const core = await openCore();
+    const described = new Map();
     let faults = [];
     let last;
     for (const name of order) {
       core.addFile(name, example(name));
       last = core.ask('open_all', {paths: [...faults, name].sort()});
       faults = last.opened.filter(({what}) => what === 'fault').map(({path}) => path);
+      for (const {handle, document} of last.documents) {
+        if (document !== null) described.set(handle, document);
+      }
     }
     assert.deepEqual(faults, [], order.join(' '));
-    const open = last.documents.map(({document}) => [document.path, document.skeleton]).sort();
+    const open = last.documents
+      .map(({handle}) => described.get(handle))
+      .map(({path, skeleton}) => [path, skeleton])
+      .sort();
     assert.deepEqual(open, [
       ['bow.seq', 'robot.body'],
       ['wave.txt', 'robot.body'],
@@ -207,4 +215,143 @@ test('a flow is written as its own format, and as the motion of its robot', asyn
   assert.equal(Buffer.from(seq.bytes).toString(), readFileSync(join(folder, 'wave.seq'), 'utf8'));
   const [txt] = core.ask('write', {handle, name: 'again.txt'}).files;
   assert.deepEqual(Buffer.from(txt.bytes), example('wave.txt'));
+});
+
+test('a failure says whether the file opens leniently, and with what', async () => {
+  const core = await openCore();
+  const whole = smallBvh(3);
+  const files = {
+    'cut.bvh': whole.slice(0, 60),
+    'mended.bvh': whole.replace('    OFFSET 0 30 0\n    CHANNELS', '    CHANNELS'),
+  };
+  for (const [path, text] of Object.entries(files)) core.addFile(path, Buffer.from(text));
+  assert.equal(core.ask('open', {path: 'cut.bvh'}).leniently, null);
+  const {error, leniently} = core.ask('open', {path: 'mended.bvh'});
+  assert.equal(error.code, 'BVH006');
+  assert.equal(leniently.options.lenient, true);
+  const {opened} = core.ask('open_all', {paths: Object.keys(files)});
+  assert.deepEqual(
+    opened.map((file) => [file.what, file.leniently?.options.lenient]),
+    [
+      ['fault', undefined],
+      ['fault', true],
+    ],
+  );
+  const repaired = core.ask('open', {path: 'mended.bvh', ...leniently});
+  assert.equal(repaired.document.time.num_frames, 3);
+});
+
+/** Adds files and opens them as a folder that was given. */
+function openFolder(core, files, few) {
+  for (const [path, text] of Object.entries(files)) core.addFile(path, Buffer.from(text));
+  return whats(core.ask('open_all', {paths: Object.keys(files), few}));
+}
+
+test('of a few motions all are opened, of many the first; what is no motion is no fault', async () => {
+  const bvh = smallBvh(3);
+  const others = {
+    'day/notes.txt': 'Take 3 is the good one.\n',
+    'day/list.csv': 'take,actor\n1,A\n',
+    'day/sensor.csv': 'time,ax\n0,1\n1,2\n',
+    'day/rig.yaml': 'cameras: 12\n',
+    'day/still.jpg': '\xff\xd8',
+  };
+  const unknown = Object.fromEntries(Object.keys(others).map((path) => [path, 'unknown']));
+  const pair = {'day/a.bvh': bvh, 'day/b.bvh': bvh};
+  const both = openFolder(await openCore(), {...others, ...pair});
+  assert.deepEqual(both, {...unknown, 'day/a.bvh': 'document', 'day/b.bvh': 'document'});
+
+  const takes = Object.fromEntries(['1', '2', '3', '4'].map((take) => [`day/${take}.bvh`, bvh]));
+  const core = await openCore();
+  const many = openFolder(core, {...others, ...pair, ...takes, 'day/0.bvh': 'HIERARCHY\n'});
+  const waiting = Object.fromEntries(Object.keys(takes).map((path) => [path, 'waiting']));
+  assert.deepEqual(many, {
+    ...unknown,
+    ...waiting,
+    'day/a.bvh': 'document',
+    'day/b.bvh': 'waiting',
+    'day/0.bvh': 'waiting',
+  });
+  // One that cannot be read does not count.
+  const next = core.ask('open_all', {paths: ['day/0.bvh', ...Object.keys(takes), 'day/b.bvh']});
+  const open = next.opened.filter(({what}) => what === 'document').map(({path}) => path);
+  assert.deepEqual(open, ['day/1.bvh']);
+  const [listed] = core.ask('open_all', {paths: ['day/4.bvh', 'day/3.bvh'], few: 2}).opened;
+  assert.deepEqual([listed.path, listed.what], ['day/4.bvh', 'document']);
+});
+
+test('beside many motions the skeletons of others are not opened', async () => {
+  const takes = Object.fromEntries(
+    Array.from({length: 6}, (_, take) => [`in/${take}.amc`, smallAmc([0, 10])]),
+  );
+  const core = await openCore();
+  const all = openFolder(core, {'in/0.asf': smallAsf, 'in/9.asf': smallAsf, ...takes});
+  assert.equal(all['in/0.amc'], 'document');
+  assert.equal(all['in/1.amc'], 'waiting');
+  assert.equal(all['in/9.asf'], 'companion');
+  const {documents} = core.ask('open_all', {paths: []});
+  assert.equal(documents.length, 1);
+  // Nothing is new, so nothing is described again.
+  assert.equal(documents[0].document, null);
+});
+
+test('the same bytes under the same path are known', async () => {
+  const core = await openCore();
+  const bytes = () => Buffer.from(smallBvh(3));
+  assert.equal(core.addFile('a.bvh', bytes()), false);
+  assert.equal(core.addFile('a.bvh', bytes()), true);
+  assert.equal(core.addFile('b.bvh', bytes()), false);
+  assert.equal(core.addFile('a.bvh', Buffer.from(smallBvh(4))), false);
+});
+
+/** A body motion with joint values alone, which may have times. */
+const smallSeq = (numJoints, values, times = null) =>
+  [
+    'type: CompositeSeq',
+    'content: BodyMotion',
+    'formatVersion: 2',
+    `numFrames: ${values.length}`,
+    'frameRate: 10',
+    ...(times ? ['hasFrameTime: true'] : []),
+    'components:',
+    '  - type: MultiValueSeq',
+    '    content: JointDisplacement',
+    `    numParts: ${numJoints}`,
+    `    numFrames: ${values.length}`,
+    '    frameRate: 10',
+    ...(times ? ['    hasFrameTime: true'] : []),
+    '    frames:',
+    ...values.map((value, frame) => {
+      const row = Array(numJoints).fill(value);
+      return `      - [${[...(times ? [times[frame]] : []), ...row].join(', ')}]`;
+    }),
+    '',
+  ].join('\n');
+
+test('a robot: its joints with limits in degrees, where it stands, how times are read', async () => {
+  const core = await openCore();
+  core.addFile('robot.body', example('robot.body'));
+  core.addFile('bow.seq', example('bow.seq'));
+  core.addFile('joints.seq', Buffer.from(smallSeq(18, [0, 3])));
+  core.addFile('timed.seq', Buffer.from(smallSeq(18, [0, 1], [0, 1])));
+  const open = (path, options) => core.ask('open', {path, skeleton: 'robot.body', options});
+  assert.equal(open('bow.seq').document.has_place, true);
+  const {handle, document} = open('joints.seq');
+  assert.equal(document.has_place, false);
+  assert.deepEqual(document.companions, ['robot.body']);
+  const index = document.joints.findIndex(({dofs}) => dofs?.[0]?.id === 0);
+  const [dof] = document.joints[index].dofs;
+  const {kind, axis, unit} = dof;
+  assert.deepEqual({kind, axis, unit}, {kind: 'rotation', axis: [1, 0, 0], unit: 'deg'});
+  const rounded = [dof.lower, dof.upper, dof.max_speed].map((limit) => Number(limit.toFixed(9)));
+  assert.deepEqual(rounded, [-45, 25, 360]);
+  const at = (frame) => core.ask('joint', {handle, joint: index, frame}).dofs[0];
+  assert.deepEqual(at(0), {value: 0, beyond: null});
+  assert.equal(at(1).value.toFixed(6), ((3 * 180) / Math.PI).toFixed(6));
+  assert.equal(at(1).beyond, 'above');
+  const holds = /timed frames hold their values \(--timed-rounding slerp/;
+  const told = (path, options) => open(path, options).document.facts.join('; ');
+  assert.match(told('timed.seq'), holds);
+  assert.match(told('timed.seq', {'timed-rounding': 'slerp'}), /timed frames are interpolated/);
+  assert.doesNotMatch(told('joints.seq'), /timed/);
 });

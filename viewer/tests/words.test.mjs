@@ -69,11 +69,11 @@ test('sentences of the core are in Japanese with what they name, others stay', (
   assert.equal(fromCore(turn), '関節「Arm」がフレーム 3 から 4 で 90 度回転します');
   assert.match(fromCore(`${turn} and is back in frame 6`), /フレーム 6 で戻ります/);
   const fast =
-    "joint 'Arm' moves at up to 25 a second (to frame 30), its limit is 6.28; " +
+    "joint 'Arm' moves at up to 400 deg/s (to frame 30), its limit is 360 deg/s; " +
     'too fast in 3 frames, first in 29';
   assert.equal(
     fromCore(fast),
-    '関節「Arm」の速度が毎秒 25（フレーム 30 まで）で上限 6.28 を超過。' +
+    '関節「Arm」の速度が 400 deg/s（フレーム 30 まで）で上限 360 deg/s を超過。' +
       '超過フレーム数：3、最初：フレーム 29',
   );
   assert.equal(fromCore('expected a list, found none'), 'expected a list, found none');

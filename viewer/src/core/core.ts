@@ -6,8 +6,11 @@ export interface Core {
   version: string;
   /** The paths of the files that the core has. */
   paths: ReadonlySet<string>;
-  /** Gives a file to the core; its bytes then belong to the worker. */
-  addFile(path: string, bytes: ArrayBuffer): Promise<void>;
+  /**
+   * Gives a file to the core; its bytes then belong to the worker. True if the core had the same
+   * bytes under this path.
+   */
+  addFile(path: string, bytes: ArrayBuffer): Promise<boolean>;
   ask<Q extends keyof Questions>(
     question: Q,
     of: Questions[Q]['ask'],

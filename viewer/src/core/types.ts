@@ -36,6 +36,19 @@ export interface Channel {
   measure?: 'length' | 'angle' | '';
 }
 
+/** A way in which a joint of a robot moves; its numbers are in `unit`, absent ones are null. */
+export interface Dof {
+  kind: 'rotation' | 'translation';
+  axis: [Num, Num, Num];
+  unit: string;
+  lower: number | null;
+  upper: number | null;
+  /** Per second. */
+  max_speed: number | null;
+  /** The id by which files of joint values move it. */
+  id: number | null;
+}
+
 export interface Joint {
   name: string;
   joint_name: string;
@@ -44,6 +57,8 @@ export interface Joint {
   tips: string[];
   visuals: VisualShape[];
   channels?: Channel[];
+  /** Of a robot's links. */
+  dofs?: Dof[];
 }
 
 export type Certainty = 'known' | 'clear' | 'doubtful';
@@ -66,7 +81,11 @@ export interface Description {
   skeleton: string;
   servo_map: string;
   project: string;
+  /** The files that it was read with, whoever named them. */
+  companions: string[];
   options: Record<string, unknown>;
+  /** Whether it is known where the figure is: joint values of a robot alone do not say it. */
+  has_place: boolean;
   /** Whether it can be warped: a flow of servo poses has no frames. */
   has_frames: boolean;
   is_robot: boolean;
@@ -138,9 +157,14 @@ export type WarpWords = Record<string, string | string[] | boolean>;
 /** A change of a document: an operation of the table, or a warp. */
 export type Step = {operation: string} | {warp: WarpWords};
 
+/** With what else a file is opened. */
+export type OpeningWords = Pick<Description, 'skeleton' | 'servo_map' | 'project' | 'options'>;
+
 export interface Failure {
   error: Diagnostic;
   diagnostics: Diagnostic[];
+  /** Of `open`: how the file opens leniently; null or absent: it does not. */
+  leniently?: OpeningWords | null;
 }
 
 export interface OpenAnswer {
@@ -155,11 +179,14 @@ export interface OpenedFile {
   format: string;
   handle: number;
   diagnostics: Diagnostic[];
+  /** How a file at fault opens leniently; null: it does not. */
+  leniently: OpeningWords | null;
 }
 
 export interface OpenAllAnswer {
   opened: OpenedFile[];
-  documents: {handle: number; document: Description}[];
+  /** All that are open; described are those that are new or were read again. */
+  documents: {handle: number; document: Description | null}[];
 }
 
 /** Poses of consecutive frames in the world, in the file's unit of length. */
@@ -178,6 +205,8 @@ export interface JointAnswer {
   position: Num[];
   rotation: Num[];
   channels: {name: string; value: Num}[];
+  /** Of a robot's link, as its description has them, in their units. */
+  dofs?: {value: Num; beyond: 'below' | 'above' | null}[];
 }
 
 /** What happens on the timeline. */
@@ -220,7 +249,8 @@ export interface Questions {
     };
     answer: OpenAnswer;
   };
-  open_all: {ask: {paths: string[]; most?: number}; answer: OpenAllAnswer};
+  /** Opens all motions of a few, otherwise the first. */
+  open_all: {ask: {paths: string[]; few?: number}; answer: OpenAllAnswer};
   close: {ask: {handle: number}; answer: object};
   edit: {
     ask: {handle: number; steps: Step[]};

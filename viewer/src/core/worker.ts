@@ -9,7 +9,8 @@ interface Module {
   HEAPF64: Float64Array;
   _malloc(size: number): number;
   _free(at: number): void;
-  _kinefile_add_file(path: number, bytes: number, size: number): void;
+  /** Not 0: the core had the same bytes. */
+  _kinefile_add_file(path: number, bytes: number, size: number): number;
   _kinefile_answer(question: number): number;
   _kinefile_version(): number;
   UTF8ToString(at: number): string;
@@ -37,11 +38,12 @@ function withText<T>(text: string, call: (at: number) => T): T {
   }
 }
 
-function add(path: string, bytes: ArrayBuffer): void {
+function add(path: string, bytes: ArrayBuffer): boolean {
   const at = core._malloc(Math.max(1, bytes.byteLength));
   if (at === 0) throw new RangeError('out of memory');
   core.HEAPU8.set(new Uint8Array(bytes), at);
-  withText(path, (name) => core._kinefile_add_file(name, at, bytes.byteLength)); // now the core's
+  // The memory is now the core's.
+  return withText(path, (name) => core._kinefile_add_file(name, at, bytes.byteLength) !== 0);
 }
 
 interface Place {
@@ -84,8 +86,7 @@ async function handle(message: Message): Promise<{answer: unknown; transfers: Tr
       core = await createKinefile({wasmBinary: new Uint8Array(await unpack(message.core))});
       return {answer: core.UTF8ToString(core._kinefile_version()), transfers: []};
     case 'add':
-      add(message.path, message.bytes);
-      return {answer: null, transfers: []};
+      return {answer: add(message.path, message.bytes), transfers: []};
     case 'ask':
       return ask(message.question);
   }

@@ -2,8 +2,15 @@
 // What a person does with motions: open, close, change, undo. The core does the work; the state
 // says what came of it.
 import {type Core, isFailure} from './core/core.ts';
-import type {Description, Diagnostic, Failure, OpenedFile, Step} from './core/types.ts';
-import {baseName} from './paths.ts';
+import type {
+  Description,
+  Diagnostic,
+  Failure,
+  OpenAllAnswer,
+  OpenedFile,
+  Step,
+} from './core/types.ts';
+import {baseName, inOrder} from './paths.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
 import {t} from './words.ts';
 
@@ -27,8 +34,12 @@ export interface GivenFile {
 
 export interface Actions {
   openFiles(files: GivenFile[]): Promise<void>;
-  /** Opens a file of the page once more, or a waiting one. */
+  /** Opens files that wait or could not be read, with what the page has by now; shows the first. */
+  openListed(paths: string[]): Promise<void>;
+  /** Opens a file of the page once more, as given. */
   openPath(path: string, like?: Partial<Description>): Promise<OpenMotion | null>;
+  /** Opens a file at fault with its faults repaired, and shows it. */
+  repair(file: OpenedFile): Promise<void>;
   /** Reads a document again, with other options of reading. */
   reopen(motion: OpenMotion, change: Partial<Description>): Promise<boolean>;
   close(motion: OpenMotion): Promise<void>;
@@ -49,8 +60,17 @@ function unreadText(opened: OpenedFile[], given: GivenFile[]): string {
   const isUnknown = ({path}: GivenFile) =>
     opened.some((file) => file.path === path && file.what === 'unknown');
   if (given.length === 0 || !given.every(isUnknown)) return '';
+  if (given.length > 3) return t('files_unknown', given.length);
   return `${given.map(({path}) => baseName(path)).join(', ')}: ${t('file_unknown')}`;
 }
+
+/** What is said of files that were given once more. */
+const againText = (again: OpenMotion[]): string =>
+  again.length === 1 ? t('is_open', baseName(again[0].document.path)) : t('are_open', again.length);
+
+/** Whether a file that is not open may be read once others have come. */
+const mayOpen = ({what, diagnostics}: OpenedFile): boolean =>
+  what === 'fault' || (what === 'unknown' && diagnostics.length > 0);
 
 export function makeActions(core: Core, store: Store): Actions {
   /** A colour that no open motion has, as long as there is one. */
@@ -83,19 +103,17 @@ export function makeActions(core: Core, store: Store): Actions {
   ];
 
   /** The open motions after files were opened: some are new, some were read again, some went. */
-  const merged = (
-    documents: {handle: number; document: Description}[],
-    opened: OpenedFile[],
-  ): OpenMotion[] => {
+  const merged = (documents: OpenAllAnswer['documents'], opened: OpenedFile[]): OpenMotion[] => {
     const found = (handle: number) =>
       opened.find((file) => file.handle === handle)?.diagnostics ?? [];
     let motions = store.state.motions.filter((motion) =>
       documents.some((one) => one.handle === motion.handle),
     );
     for (const {handle, document} of documents) {
+      if (document === null) continue;
       const known = motions.find((motion) => motion.handle === handle);
       if (known === undefined) motions = added(motions, handle, document, found(handle));
-      else if (known.document.skeleton !== document.skeleton) {
+      else {
         motions = motions.map((motion) =>
           motion === known ? {...known, document, version: known.version + 1} : motion,
         );
@@ -147,23 +165,63 @@ export function makeActions(core: Core, store: Store): Actions {
     return failure === null;
   };
 
+  /** Opens files of the page together; null: refused, with a message. */
+  const openAll = async (paths: string[], few?: number): Promise<OpenedFile[] | null> => {
+    if (paths.length === 0) return [];
+    const answer = await core.ask('open_all', {paths, few});
+    if (isFailure(answer)) {
+      store.set({message: answer.error.message});
+      return null;
+    }
+    const motions = merged(answer.documents, answer.opened);
+    store.set({motions, files: remaining(answer.opened), active: firstActive(motions)});
+    return answer.opened;
+  };
+
+  /** A motion of a list of several goes back to it when it is closed. */
+  const listedAgain = ({document}: OpenMotion, motions: OpenMotion[]): OpenedFile[] => {
+    const {path, format, kind} = document;
+    const {files} = store.state;
+    const isLast = motions.every((other) => other.document.path !== path);
+    const hasList = files.some(({what}) => what === 'waiting');
+    if (!hasList || !isLast || kind === 'skeleton') return files;
+    return [...files, {path, what: 'waiting', format, handle: 0, diagnostics: [], leniently: null}];
+  };
+
   const actions: Actions = {
     async openFiles(files) {
       store.set({busy: 'reading', message: ''});
       try {
-        for (const {path, bytes} of files) await core.addFile(path, bytes);
+        const had = new Set<string>();
+        for (const {path, bytes} of files) if (await core.addFile(path, bytes)) had.add(path);
+        const again = store.state.motions.filter(({document}) => had.has(document.path));
+        const isDone = (path: string) => again.some(({document}) => document.path === path);
+        // Of a folder that is given once more the list stays as it is.
+        const isListed = (path: string) =>
+          again.length > 0 &&
+          had.has(path) &&
+          store.state.files.some((file) => file.path === path && file.what === 'waiting');
+        const fresh = files.filter(({path}) => !isDone(path) && !isListed(path));
         // What could not be opened before may have what it lacked now.
-        const again = store.state.files.filter((file) => file.what === 'fault');
-        const paths = [...new Set([...again, ...files].map((file) => file.path))].sort();
-        const answer = await core.ask('open_all', {paths});
-        if (isFailure(answer)) return store.set({message: answer.error.message});
-        const motions = merged(answer.documents, answer.opened);
-        store.set({
-          motions,
-          files: remaining(answer.opened),
-          active: firstActive(motions),
-          message: unreadText(answer.opened, files),
-        });
+        const lacking = fresh.length > 0 ? store.state.files.filter(mayOpen) : [];
+        const paths = inOrder(new Set([...lacking, ...fresh].map(({path}) => path)));
+        const opened = await openAll(paths);
+        if (opened === null) return;
+        const isFirst =
+          again.length > 0 && !again.some(({handle}) => handle === store.state.active);
+        if (isFirst) store.set({active: again[0].handle, joint: -1});
+        store.set({message: again.length > 0 ? againText(again) : unreadText(opened, files)});
+      } finally {
+        store.set({busy: ''});
+      }
+    },
+
+    async openListed(paths) {
+      store.set({busy: 'reading', message: ''});
+      try {
+        const opened = await openAll(paths, paths.length);
+        const first = opened?.find(({what, path}) => what === 'document' && paths.includes(path));
+        if (first !== undefined) store.set({active: first.handle, joint: -1});
       } finally {
         store.set({busy: ''});
       }
@@ -183,6 +241,7 @@ export function makeActions(core: Core, store: Store): Actions {
           format: '',
           handle: 0,
           diagnostics: diagnostics.length > 0 ? diagnostics : [error],
+          leniently: answer.leniently ?? null,
         });
         store.set({files, message: error.message});
         return null;
@@ -195,6 +254,11 @@ export function makeActions(core: Core, store: Store): Actions {
         active: firstActive(motions),
       });
       return motions[motions.length - 1];
+    },
+
+    async repair({path, leniently}) {
+      const motion = await actions.openPath(path, leniently ?? {});
+      if (motion !== null) store.set({active: motion.handle, joint: -1});
     },
 
     async reopen(motion, change) {
@@ -231,7 +295,12 @@ export function makeActions(core: Core, store: Store): Actions {
     async close(motion) {
       await core.ask('close', {handle: motion.handle});
       const motions = store.state.motions.filter((other) => other.handle !== motion.handle);
-      store.set({motions, active: firstActive(motions), joint: -1});
+      store.set({
+        motions,
+        files: listedAgain(motion, motions),
+        active: firstActive(motions),
+        joint: -1,
+      });
     },
 
     async setSteps(motion, steps) {

@@ -15,3 +15,9 @@ export const stemOf = (path: string): string => baseName(path.slice(0, dotOf(pat
 
 /** The extension of a file, with its dot. */
 export const extensionOf = (path: string): string => path.slice(dotOf(path));
+
+const kByNumber = new Intl.Collator('en', {numeric: true});
+
+/** The order in which people count: take 2 before take 10. */
+export const inOrder = (paths: Iterable<string>): string[] =>
+  [...paths].sort((a, b) => kByNumber.compare(a, b));

@@ -42,6 +42,20 @@ ${rows.join('\n')}
   return path;
 }
 
+/** Joint values of the robot of the examples, all joints alike, without the pose of its root. */
+const robotSeq = (values) => `type: CompositeSeq
+content: BodyMotion
+formatVersion: 2
+components:
+  - type: MultiValueSeq
+    content: JointDisplacement
+    numParts: 18
+    numFrames: ${values.length}
+    frameRate: 10
+    frames:
+${values.map((value) => `      - [${Array(18).fill(value).join(', ')}]`).join('\n')}
+`;
+
 /** Small, since software draws it. */
 const viewport = {width: 1000, height: 680};
 
@@ -405,6 +419,134 @@ test('a file is repaired and opened, and says what was repaired', async () => {
   assert.equal(await tab.locator('.diagnostic.error').count(), 0);
   await openTab(tab, 'info');
   assert.equal(await tab.isChecked('[name="lenient"]'), true);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('repair is offered where it helps alone', async () => {
+  const whole = readFileSync(writeBvh('whole.bvh', 3), 'utf8');
+  const mended = writeBvh('mended.bvh', 3);
+  writeFileSync(mended, whole.replace('    OFFSET 0 10 0\n    CH', '    CH'));
+  const cut = writeBvh('cut.bvh', 3);
+  writeFileSync(cut, whole.slice(0, 80));
+  const {tab, context, faults} = await opened([mended, cut]);
+  await isShown(tab, '.file.fault:has-text("mended.bvh") button', 'Repair and open');
+  await isShown(tab, '.file.fault:has-text("cut.bvh") button', 'Try again');
+  await openTab(tab, 'check');
+  await isShown(tab, '.check-panel h2', 'cut.bvh was not opened');
+  assert.equal(await tab.locator('.check-panel button:text-is("Repair and open")').count(), 1);
+  await shot(tab, 'repair');
+  await tab.click('.file.fault button:text-is("Repair and open")');
+  await isShown(tab, '#motions', 'mended.bvh');
+  await tab.waitForFunction(() => document.querySelectorAll('.file.fault').length === 1);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+/** A folder of takes with what else lies in such a folder. */
+function writeTakes(name, numTakes) {
+  const day = join(folder, name);
+  rmSync(day, {recursive: true, force: true});
+  mkdirSync(day, {recursive: true});
+  for (let take = 1; take <= numTakes; take++) {
+    writeFileSync(join(day, `take${take}.bvh`), readFileSync(writeBvh('take.bvh', take + 2)));
+  }
+  writeFileSync(join(day, 'notes.txt'), 'Take 3 is the good one.\n');
+  writeFileSync(join(day, 'shots.csv'), 'take,actor\n1,A\n');
+  writeFileSync(join(day, 'still.jpg'), 'no picture\n');
+  return day;
+}
+
+test('of a folder full of takes the first opens, the others are one click each', async () => {
+  const {tab, context, faults} = await opened([writeTakes('day', 12)]);
+  await isShown(tab, '#files .waiting summary', '12 motions here, 1 open');
+  assert.deepEqual(await tab.locator('.motion .name').allTextContents(), ['take1.bvh']);
+  const listed = await tab.locator('.waiting li').allTextContents();
+  assert.deepEqual(
+    listed,
+    Array.from({length: 11}, (_, index) => `take${index + 2}.bvh`),
+  );
+  assert.equal(await tab.locator('.file.fault').count(), 0);
+  await isShown(tab, '#files .unknown summary', 'Files that are no motions: 3');
+  await tab.click('#files .unknown summary');
+  await isShown(tab, '#files .unknown', "found 'take'");
+  await shot(tab, 'folder');
+  await tab.click('.waiting button:text-is("take7.bvh")');
+  await isShown(tab, '#files .waiting summary', '12 motions here, 2 open');
+  await isShown(tab, '.motion.active', 'take7.bvh');
+  await tab.click('[aria-label="Close take7.bvh"]');
+  await isShown(tab, '#files .waiting summary', '12 motions here, 1 open');
+  assert.equal(await tab.locator('.waiting button:text-is("take7.bvh")').count(), 1);
+  // The folder once more changes nothing.
+  await drop(tab, [join(folder, 'day')], 100, 200);
+  await isShown(tab, '#status', 'take1.bvh is open already');
+  await isShown(tab, '#files .waiting summary', '12 motions here, 1 open');
+  await shot(tab, 'folder_again');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('of a few takes all open', async () => {
+  const {tab, context, faults} = await opened([writeTakes('pair', 2)]);
+  await isShown(tab, '.motion', 'take2.bvh');
+  await isShown(tab, '.motion', 'take1.bvh');
+  await isShown(tab, '#files .unknown summary', 'Files that are no motions: 3');
+  assert.equal(await tab.locator('.waiting').count(), 0);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the same file once more is selected, another one of its name opens beside it', async () => {
+  const twice = writeBvh('twice.bvh', 5);
+  const {tab, context, faults} = await opened([twice, writeBvh('other.bvh', 5)]);
+  await isShown(tab, '.motion.active', 'other.bvh');
+  await drop(tab, [twice], 100, 200);
+  await isShown(tab, '#status', 'twice.bvh is open already');
+  await isShown(tab, '.motion.active', 'twice.bvh');
+  assert.equal(await tab.locator('.motion').count(), 2);
+  await drop(tab, [writeBvh('twice.bvh', 8)], 100, 200);
+  await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 3);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('the tab of the check has its count before it was open', async () => {
+  const seq = join(folder, 'limits.seq');
+  writeFileSync(seq, robotSeq([0, 0.1, 3]));
+  const {tab, context, faults} = await opened([join(examples, 'robot.body'), seq]);
+  await tab.waitForSelector('#tab-check .count:not([hidden])');
+  assert.ok(Number(await tab.textContent('#tab-check .count')) > 1);
+  assert.equal(await tab.isVisible('#panel-check'), false);
+  // The joint, its limits and how far it is beyond them.
+  await tab.click('.joint:has-text("LEG_R_HIP_R")');
+  await isShown(tab, '.values th', 'turns about x');
+  await isShown(tab, '.values tr:has-text("limits")', '-45 … 25°');
+  await isShown(tab, '.values tr:has-text("top speed")', '360°/s');
+  await isShown(tab, '.values tr:has-text("joint id")', '0');
+  assert.equal(await tab.locator('.values .beyond').count(), 0);
+  await tab.fill('#frame', '2');
+  await tab.press('#frame', 'Enter');
+  await isShown(tab, '.values .beyond', 'above its limit');
+  await shot(tab, 'robot_joint');
+  // What the file does not say, and what it was read with.
+  await openTab(tab, 'info');
+  await isShown(tab, '.sentences', 'it stands at the origin');
+  await tab.selectOption('#companion-skeleton', '');
+  await isShown(tab, '.refusal', 'expected');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('Info says what a motion was read with, and where an option of the core is', async () => {
+  const {tab, context, faults} = await opened([join(examples, 'bow.seq')]);
+  await openTab(tab, 'info');
+  await isShown(tab, '#companion-skeleton', 'none: the links as recorded');
+  await isShown(tab, '.sentences', 'timed frames hold their values');
+  await isShown(tab, '.sentences .here', 'How the file is read, “timed-rounding”');
+  assert.equal(await tab.locator('.sentences:has-text("origin")').count(), 0);
+  await tab.selectOption('[name="timed-rounding"]', 'slerp');
+  await isShown(tab, '.sentences', 'timed frames are interpolated');
+  await shot(tab, 'timed');
   assert.deepEqual(faults, []);
   await context.close();
 });

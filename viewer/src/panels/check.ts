@@ -7,7 +7,7 @@ import {fullName} from '../motionname.ts';
 import {goToFrame} from '../playback.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {fromCore, t} from '../words.ts';
-import {type PanelContext, whileOpen} from './context.ts';
+import {openPanel, type PanelContext, whileOpen} from './context.ts';
 import {diagnosticList} from './diagnostic.ts';
 import {latestOnly} from './latest.ts';
 
@@ -106,16 +106,13 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     ]);
   };
 
-  /** Opens a file with its faults repaired; what was repaired is then what is read here. */
-  const repair = async (path: string) => {
-    const motion = await actions.openPath(path, {options: {lenient: true}});
-    if (motion !== null) store.set({active: motion.handle, joint: -1});
-  };
-
-  const fault = ({path, diagnostics}: OpenedFile): HTMLElement =>
-    section(t('not_opened', path), [
-      ...diagnosticList(diagnostics),
-      button(t('open_leniently'), () => repair(path), {title: t('lenient_help')}),
+  /** A file at fault; repaired and opened, what was repaired is then what is read here. */
+  const fault = (file: OpenedFile): HTMLElement =>
+    section(t('not_opened', file.path), [
+      ...diagnosticList(file.diagnostics),
+      ...(file.leniently === null
+        ? []
+        : [button(t('open_leniently'), () => actions.repair(file), {title: t('lenient_help')})]),
     ]);
 
   /** What the check says of a motion's file, and what stands out in the motion beside that. */
@@ -170,10 +167,21 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
 
   const ask = latestOnly<OpenMotion>(async (motion) => {
     if (checks.of(motion) === undefined) await checks.ask(motion);
-    if (marks.of(motion) === undefined) await marks.ask(motion);
     tell(store.state);
+    if (openPanel(store.state) !== 'check') return;
+    if (marks.of(motion) === undefined) await marks.ask(motion);
     draw(store.state);
   });
+
+  /**
+   * Checks the active motion once, so that the tab has its count: after its first poses were
+   * drawn, and not while it plays, since the core does one thing at a time.
+   */
+  const askInTime = () => {
+    const motion = activeMotion(store.state);
+    if (motion === undefined || store.state.isPlaying || checks.of(motion) !== undefined) return;
+    ask(motion);
+  };
 
   let drawnFor: unknown[] = [];
   whileOpen(store, 'check', ['motions', 'active', 'files', 'language'], (state) => {
@@ -187,5 +195,10 @@ export function makeCheckPanel(context: PanelContext, count: HTMLElement): HTMLE
     if (checks.of(motion) === undefined || marks.of(motion) === undefined) ask(motion);
   });
   store.on(['motions', 'active', 'files', 'language'], tell);
+  store.on(['motions', 'active', 'isPlaying'], () => {
+    const motion = activeMotion(store.state);
+    if (motion === undefined || checks.of(motion) !== undefined) return;
+    requestAnimationFrame(() => setTimeout(askInTime));
+  });
   return root;
 }

@@ -2,7 +2,7 @@
 // A message about a file: its place, its sentence, the line, and what its code means.
 import type {Diagnostic} from '../core/types.ts';
 import {button, el} from '../elements.ts';
-import {fromCore, t} from '../words.ts';
+import {fromCore, nameOf, t, type Word} from '../words.ts';
 
 /** What docs/errors.md says of each code; the packer puts it in. */
 declare const ERRORS: Record<string, [title: string, body: string]>;
@@ -57,6 +57,30 @@ function explanation(code: string): HTMLElement | null {
   ]);
 }
 
+/** What a flag of the command, which a message names, is in the page. */
+const kFlags: Record<string, Word> = {
+  lenient: 'here_lenient',
+  skeleton: 'here_companion',
+  'servo-map': 'here_companion',
+  project: 'here_companion',
+  fps: 'here_reading',
+  encoding: 'here_reading',
+  positions: 'here_reading',
+  'unit-in': 'here_reading',
+  'up-in': 'here_reading',
+  'timed-rounding': 'here_reading',
+  'keep-times': 'here_reading',
+};
+
+/** What to do in the page where a message of the core names flags of the command. */
+export function hintsOf(message: string): HTMLElement[] {
+  const found = [...message.matchAll(/--([a-z]+(?:-[a-z]+)*)/g)].map(([, flag]) => flag);
+  const hints = found.flatMap((flag) =>
+    flag in kFlags ? [t(kFlags[flag], nameOf('options', flag))] : [],
+  );
+  return [...new Set(hints)].map((hint) => el('small', {class: 'here'}, [hint]));
+}
+
 /** What else belongs to a message: a button that goes to its frame. */
 type Extra = (diagnostic: Diagnostic) => HTMLElement[];
 
@@ -69,6 +93,7 @@ function item(diagnostic: Diagnostic, extra: Extra): HTMLElement {
       ` ${placeOf(diagnostic)}`,
     ]),
     el('p', {class: 'sentence'}, [fromCore(message)]),
+    ...hintsOf(message),
     ...(excerpt !== '' ? [excerptOf(diagnostic)] : []),
     explained ?? el('span', {class: 'faint'}, [code]),
     ...extra(diagnostic),

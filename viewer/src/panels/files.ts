@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Files that are not open: those that wait, those that the core could not read, and why.
+// Files that are not open: motions that wait, files that the core could not read, and why, and
+// quietly those that are no motions.
 import type {Actions} from '../actions.ts';
 import type {OpenedFile} from '../core/types.ts';
 import {button, byId, el} from '../elements.ts';
+import {inOrder} from '../paths.ts';
 import type {Store} from '../state.ts';
-import {t, type Word} from '../words.ts';
+import {fromCore, t} from '../words.ts';
 import {iconButton} from './icons.ts';
+import {kPhone} from './warp.ts';
 
-const kWhats: Partial<Record<OpenedFile['what'], Word>> = {
-  waiting: 'file_waiting',
-  fault: 'file_fault',
-  unknown: 'file_unknown',
-};
+/** So many figures have colours of their own. */
+const kMostAtOnce = 8;
 
 /** The message that says why; a place in another file is said with it. */
 function reasonOf({path, what, diagnostics}: OpenedFile): string {
   const worst = diagnostics.find((diagnostic) => diagnostic.severity === 'error') ?? diagnostics[0];
-  if (worst === undefined) return t(kWhats[what] ?? 'file_unknown');
+  if (worst === undefined) return t(what === 'fault' ? 'file_fault' : 'file_unknown');
   const {file, line, code, message} = worst;
   const place = line > 0 ? `${file || path}:${line}: ` : '';
-  return `${place}${message} [${code}]`;
+  return `${place}${fromCore(message)} [${code}]`;
+}
+
+/** The folder that all paths are in, with its slash. */
+export function commonFolder(paths: string[]): string {
+  const [first = ''] = paths;
+  let length = first.lastIndexOf('/') + 1;
+  while (length > 0 && !paths.every((path) => path.startsWith(first.slice(0, length)))) {
+    length = first.lastIndexOf('/', length - 2) + 1;
+  }
+  return first.slice(0, length);
 }
 
 /** Makes the list of files that are not open. */
@@ -27,43 +37,92 @@ export function makeFileList(store: Store, actions: Actions): void {
   const list = byId('files');
   const dismiss = (gone: OpenedFile[]) =>
     store.set({files: store.state.files.filter((file) => !gone.includes(file))});
+  const dismissal = (gone: OpenedFile[]) =>
+    iconButton('close', () => dismiss(gone), {title: t('dismiss'), class: 'plain'});
 
-  const open = (path: string) => actions.openPath(path);
+  const fault = (file: OpenedFile): HTMLElement => {
+    const {path, leniently} = file;
+    const again =
+      leniently === null
+        ? button(t('try_again'), () => actions.openListed([path]))
+        : button(t('open_leniently'), () => actions.repair(file), {title: t('lenient_help')});
+    return el('li', {class: 'file fault'}, [
+      el('div', {class: 'file-head'}, [el('b', {title: path}, [path]), again, dismissal([file])]),
+      el('p', {}, [reasonOf(file)]),
+    ]);
+  };
 
-  const row = (file: OpenedFile): HTMLElement =>
-    el('li', {class: `file ${file.what}`}, [
+  // On a phone the list would hide the figure.
+  let isUnfolded = !kPhone.matches;
+
+  /** The motions of a folder that are not open, one click each. */
+  const waitingList = (waiting: OpenedFile[]): HTMLElement => {
+    const paths = inOrder(waiting.map(({path}) => path));
+    const numOpen = new Set(store.state.motions.map(({document}) => document.path)).size;
+    const folder = commonFolder(paths);
+    const row = (path: string) =>
+      button(path.slice(folder.length), () => actions.openListed([path]), {title: path});
+    const section = el('details', {class: 'waiting', open: isUnfolded}, [
+      el('summary', {title: folder}, [t('motions_here', numOpen + paths.length, numOpen)]),
+      el(
+        'ul',
+        {ariaLabel: t('motions_not_open')},
+        paths.map((path) => el('li', {}, [row(path)])),
+      ),
+      el('p', {class: 'group'}, [
+        ...(numOpen + paths.length <= kMostAtOnce
+          ? [button(t('open_all'), () => actions.openListed(paths))]
+          : []),
+        button(t('dismiss'), () => dismiss(waiting)),
+      ]),
+    ]);
+    section.addEventListener('toggle', () => {
+      isUnfolded = section.open;
+    });
+    return section;
+  };
+
+  /** What is said of the only file that was given. */
+  const onlyOne = (file: OpenedFile): HTMLElement =>
+    el('div', {class: 'file unknown'}, [
       el('div', {class: 'file-head'}, [
         el('b', {title: file.path}, [file.path]),
-        ...(file.what === 'unknown'
-          ? []
-          : [button(t(file.what === 'fault' ? 'try_again' : 'open'), () => open(file.path))]),
-        iconButton('close', () => dismiss([file]), {title: t('dismiss'), class: 'plain'}),
+        dismissal([file]),
       ]),
       el('p', {}, [reasonOf(file)]),
     ]);
 
-  store.on(['files', 'language'], ({files}) => {
-    const others = files.filter(({what}) => what === 'unknown');
-    // One says what it is; many, as a folder has, are folded away.
-    const unknown = others.length > 1 ? others : [];
-    const told = files.filter((file) => !unknown.includes(file));
+  /** One line; what each of them is, where reading was tried, on demand. */
+  const others = (unknown: OpenedFile[]): HTMLElement => {
+    const row = (file: OpenedFile) =>
+      el('li', {}, [
+        file.path,
+        ...(file.diagnostics.length > 0 ? [el('small', {}, [reasonOf(file)])] : []),
+      ]);
+    return el('details', {class: 'unknown'}, [
+      el('summary', {}, [t('files_unknown', unknown.length)]),
+      el('ul', {}, unknown.map(row)),
+      button(t('dismiss'), () => dismiss(unknown)),
+    ]);
+  };
+
+  store.on(['files', 'motions', 'language'], ({files}, changed) => {
+    const of = (what: OpenedFile['what']) => files.filter((file) => file.what === what);
+    const [waiting, faults, unknown] = [of('waiting'), of('fault'), of('unknown')];
+    // What is scrolled to and unfolded stays while motions move.
+    const isSame = !changed.has('files') && !changed.has('language');
+    const numOpen = String(store.state.motions.length);
+    if (isSame && (waiting.length === 0 || list.dataset.open === numOpen)) return;
+    const {scrollTop = 0} = list.querySelector('.waiting ul') ?? {};
+    list.dataset.open = numOpen;
+    const isOnly = files.length === 1 && store.state.motions.length === 0;
     list.hidden = files.length === 0;
     list.setAttribute('aria-label', t('files'));
-    const parts: HTMLElement[] = [];
-    if (told.length > 0) parts.push(el('ul', {}, told.map(row)));
-    if (unknown.length > 0) {
-      parts.push(
-        el('details', {class: 'unknown'}, [
-          el('summary', {}, [t('files_unknown', unknown.length)]),
-          el(
-            'ul',
-            {},
-            unknown.map(({path}) => el('li', {}, [path])),
-          ),
-          button(t('dismiss'), () => dismiss(unknown)),
-        ]),
-      );
-    }
-    list.replaceChildren(...parts);
+    list.replaceChildren(
+      ...(waiting.length > 0 ? [waitingList(waiting)] : []),
+      ...(faults.length > 0 ? [el('ul', {}, faults.map(fault))] : []),
+      ...(unknown.length > 0 ? [isOnly ? onlyOne(unknown[0]) : others(unknown)] : []),
+    );
+    list.querySelector('.waiting ul')?.scrollTo(0, scrollTop);
   });
 }

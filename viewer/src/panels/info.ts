@@ -2,11 +2,12 @@
 // What the file is, what is known of its axes and units, and how it is read.
 import type {Description, OptionInfo} from '../core/types.ts';
 import {el} from '../elements.ts';
-import {extensionOf} from '../paths.ts';
+import {baseName, extensionOf} from '../paths.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {numFrames} from '../times.ts';
 import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
+import {hintsOf} from './diagnostic.ts';
 import {makeField, selectOf} from './fields.ts';
 import {angleUnit, inMetres, lengthUnit, shortNumber, unitName} from './numbers.ts';
 import {formatOf} from './steps.ts';
@@ -81,6 +82,18 @@ function factsOf(document: Description): Fact[] {
   return facts;
 }
 
+type Companion = 'skeleton' | 'servo_map' | 'project';
+
+/** What a motion is read with where no file is named. */
+function withoutText({kind, companions, project}: Description, key: Companion): string {
+  const findsOwn = key === 'skeleton' && kind !== 'body_motion' && kind !== 'pose_flow';
+  if (findsOwn && companions.length > 0) {
+    return t('found_beside', companions.map(baseName).join(', '));
+  }
+  if (key === 'servo_map' && project !== '') return t('servo_map_of_project');
+  return t(key === 'skeleton' && kind === 'body_motion' ? 'links_alone' : 'without_file');
+}
+
 const factList = (facts: Fact[]): HTMLElement =>
   el(
     'dl',
@@ -127,13 +140,11 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
       .filter((path) => extensions.includes(extensionOf(path).toLowerCase()))
       .sort();
 
-  type Companion = 'skeleton' | 'servo_map' | 'project';
-
   const companionField = (motion: OpenMotion, key: Companion, extensions: string[]) => {
     const now = motion.document[key];
     const files = filesWith(motion, extensions);
     if (now !== '' && !files.includes(now)) files.unshift(now);
-    const select = selectOf(files, t('found_beside'), now);
+    const select = selectOf(files, withoutText(motion.document, key), now);
     select.id = `companion-${key}`;
     const label = el('label', {htmlFor: select.id}, [t(`companion_${key}`)]);
     const field = el('div', {class: 'field'}, [label, select]);
@@ -177,11 +188,10 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     root.replaceChildren(
       el('h2', {}, [fromCore(format?.description ?? motion.document.format)]),
       factList(factsOf(motion.document)),
-      el(
-        'ul',
-        {class: 'sentences'},
-        motion.document.facts.map((fact) => el('li', {}, [fromCore(fact)])),
-      ),
+      el('ul', {class: 'sentences'}, [
+        ...motion.document.facts.map((fact) => el('li', {}, [fromCore(fact), ...hintsOf(fact)])),
+        ...(motion.document.has_place ? [] : [el('li', {}, [t('stands_at_origin')])]),
+      ]),
       ...companions(motion),
       el('h2', {}, [t('read_options')]),
       el('p', {class: 'hint'}, [t('read_options_help')]),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the selected joint is at the shown frame, and the numbers that put it there.
 import {isFailure} from '../core/core.ts';
-import type {Description, JointAnswer, Num} from '../core/types.ts';
+import type {Description, Dof, JointAnswer, Num} from '../core/types.ts';
 import {el} from '../elements.ts';
 import {activeMotion, type OpenMotion} from '../state.ts';
 import {shownFrame} from '../times.ts';
@@ -9,7 +9,7 @@ import {t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {latestOnly} from './latest.ts';
-import {angleUnit, groupedNumber, inMetres, lengthUnit} from './numbers.ts';
+import {angleUnit, groupedNumber, inMetres, lengthUnit, shortNumber} from './numbers.ts';
 
 interface Wanted {
   motion: OpenMotion;
@@ -37,6 +37,46 @@ const unitOf = (document: Description, joint: number, channel: number): string =
   if (measure === 'length') return lengthUnit(document);
   return measure === 'angle' ? angleUnit(document) : '';
 };
+
+const kAxes = ['x', 'y', 'z'];
+
+/** An axis by its name, another one as numbers. */
+function axisText(axis: Num[]): string {
+  const values = axis.map(Number);
+  const own = values.findIndex((value) => Math.abs(value) === 1);
+  if (own >= 0) return `${values[own] < 0 ? '−' : ''}${kAxes[own]}`;
+  return `(${values.map(shortNumber).join(' ')})`;
+}
+
+const kUnits: Record<string, string> = {deg: '°'};
+
+/** How a joint of a robot moves, how far it may, and whether it is beyond that. */
+function dofTable(dof: Dof, {value, beyond}: {value: Num; beyond: string | null}): HTMLElement {
+  const {kind, axis, lower, upper, max_speed, id} = dof;
+  const unit = kUnits[dof.unit] ?? dof.unit;
+  const text = (label: string, what: string, of: string, note = '') =>
+    el('tr', {}, [
+      el('th', {scope: 'row'}, [label]),
+      el('td', {class: 'value number'}, [what]),
+      el('td', {class: 'value-unit'}, [of]),
+      el('td', {class: 'value-note'}, [note]),
+    ]);
+  const way = t(kind === 'rotation' ? 'turns_about' : 'moves_along', axisText(axis));
+  const side = beyond === null ? '' : t(beyond === 'below' ? 'below_limit' : 'above_limit');
+  // Every digit is among the channels below.
+  const now = text(way, shortNumber(value), unit, side);
+  if (beyond !== null) now.classList.add('beyond');
+  const bound = (limit: number | null, none: string) =>
+    limit === null ? none : shortNumber(limit);
+  const hasLimits = lower !== null || upper !== null;
+  const rows = [
+    now,
+    ...(hasLimits ? [text(t('limits'), `${bound(lower, '−∞')} … ${bound(upper, '∞')}`, unit)] : []),
+    ...(max_speed === null ? [] : [text(t('top_speed'), shortNumber(max_speed), `${unit}/s`)]),
+    ...(id === null ? [] : [text(t('joint_id'), String(id), '')]),
+  ];
+  return table(t('robot_joint'), [value], rows);
+}
 
 /** Makes the readout. */
 export function makeReadout({store, core}: PanelContext): HTMLElement {
@@ -70,7 +110,12 @@ export function makeReadout({store, core}: PanelContext): HTMLElement {
         rotation.map((value, axis) => row('wxyz'[axis], value, '')),
       ),
     ];
-    parts.replaceChildren(...(channels.length > 0 ? tables : [tables[0], tables[2]]));
+    const ways = document.joints[joint].dofs ?? [];
+    const found = answer.dofs ?? [];
+    parts.replaceChildren(
+      ...ways.flatMap((dof, index) => (index in found ? [dofTable(dof, found[index])] : [])),
+      ...(channels.length > 0 ? tables : [tables[0], tables[2]]),
+    );
   };
 
   const update = latestOnly<Wanted>(async (wanted) => {

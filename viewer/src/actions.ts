@@ -78,6 +78,7 @@ export function makeActions(core: Core, store: Store): Actions {
       offset: 0,
       pace: 1,
       placement: 'recorded',
+      front: null,
       diagnostics,
     },
   ];

@@ -5,7 +5,7 @@ import * as THREE from 'three';
 import type {Core} from '../core/core.ts';
 import {byId} from '../elements.ts';
 import type {FramePoses, PoseCache} from '../poses.ts';
-import {activeMotion, type Store} from '../state.ts';
+import {activeMotion, type Front, type Store} from '../state.ts';
 import {makeAxes} from './axes.ts';
 import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
@@ -178,8 +178,8 @@ export function makeScene(
     mustFrame = 'no';
     if (isKept) return;
     const motion = activeMotion(store.state);
-    if (isAnew) cameras.setView(store.state.camera, facingOf(motion?.document), true);
-    if (isAnew) stage.turnSun(facingOf(motion?.document));
+    if (isAnew) cameras.setView(store.state.camera, facingOf(motion), true);
+    if (isAnew) stage.turnSun(facingOf(motion));
     cameras.frame(framed());
   };
 
@@ -219,7 +219,8 @@ export function makeScene(
   };
 
   let known = '';
-  store.on(['motions', 'shown'], ({motions}) => {
+  let front: {handle: number; of: Front | null} = {handle: 0, of: null};
+  store.on(['motions', 'shown', 'active'], ({motions, active}) => {
     place();
     // Where a motion is new, or stands elsewhere or otherwise than before, all is framed again.
     const now = motions.map(({handle, placement, document}) =>
@@ -228,6 +229,10 @@ export function makeScene(
     const isKnown = now.every((text) => known.includes(`${text};`));
     if (!isKnown && mustFrame === 'no') mustFrame = 'new';
     if (known === '' || (now.length === 1 && !isKnown)) mustFrame = 'anew';
+    const own = motions.find(({handle}) => handle === active);
+    const isTurned = front.handle === active && front.of !== own?.front;
+    if (isTurned) mustFrame = 'anew';
+    front = {handle: active, of: own?.front ?? null};
     known = now.map((text) => `${text};`).join('');
     offers.update(store.state.motions, figures);
   });
@@ -235,7 +240,7 @@ export function makeScene(
   store.on(['camera'], ({camera}) => {
     if (mustFrame !== 'anew') {
       const wasMoved = cameras.isMoved;
-      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+      cameras.setView(camera, facingOf(activeMotion(store.state)));
       // What a person has framed stays as large as it is.
       if (!wasMoved) frameAll();
     }
@@ -244,7 +249,7 @@ export function makeScene(
   store.on(['active'], () => {
     const {camera} = store.state;
     if (mustFrame !== 'anew' && isStraight(camera)) {
-      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+      cameras.setView(camera, facingOf(activeMotion(store.state)));
     }
   });
   store.on(['joint', 'active', 'motions', 'language'], (state) => {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "clock.hpp"
 #include "kinefile/io.hpp"
 #include "kinefile/place.hpp"
 #include "kinefile/retime_documents.hpp"
@@ -93,6 +94,18 @@ Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
   return std::optional(std::move(*map));
 }
 
+/// The poses of a run, in its order.
+std::vector<PlayedBlock> blocks_of(const flow::Run& run, const PoseFlow& flow) {
+  constexpr std::size_t kMost = 5000;  // more cannot be seen on a timeline
+  std::vector<PlayedBlock> blocks;
+  for (const flow::Step& step : run.path) {
+    const Block& block = flow.blocks[step.block];
+    if (!std::holds_alternative<PoseBlock>(block.body) || blocks.size() == kMost) continue;
+    blocks.push_back({step.tick, step.block, block.name});
+  }
+  return blocks;
+}
+
 /// Runs a flow through a servo map, so that it has a motion; other documents stay as they are.
 Result<Document> moving(const Session& session, Slot& slot, const Document& document,
                         Diagnostics& diagnostics) {
@@ -115,6 +128,7 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
   settings.servo_map = **map;
   const auto timed = run(*flow, settings, diagnostics);
   if (!timed) return fail(timed.error());
+  slot.blocks = blocks_of(timed->run, *flow);
   ServoMap timed_map = **map;
   timed_map.tick_seconds = timed->tick_seconds;
   return document_of_run(*timed, timed_map, source_of_model(slot), diagnostics);
@@ -155,7 +169,13 @@ Result<void> warp(Slot& slot, const Json& words, Diagnostics& diagnostics) {
   auto map = retime::warp_map(slot.current, warp, diagnostics);
   if (!map) return fail(std::move(map.error()));
   slot.source_frames = map->old_frames;
-  return retime::apply(slot.current, *map, retiming, diagnostics);
+  auto applied = retime::apply(slot.current, *map, retiming, diagnostics);
+  if (!applied) return applied;
+  turn_clock(slot.clock, slot.current, [&](Document& clock) {
+    Diagnostics ignored;
+    return retime::apply(clock, *map, retiming, ignored).has_value();
+  });
+  return {};
 }
 
 /// Applies one operation of the table.
@@ -172,7 +192,21 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
   auto project = read_project_of(session.files, slot, context.lenient, diagnostics);
   if (!project) return fail(std::move(project.error()));
   context.project = std::move(*project);
-  return apply(std::span(&*operation, 1), slot.current, context, diagnostics);
+  auto applied = apply(std::span(&*operation, 1), slot.current, context, diagnostics);
+  if (!applied || !operation->info->works_on_components) return applied;
+  turn_clock(slot.clock, slot.current, [&](Document& clock) {
+    Diagnostics ignored;
+    OperationContext of_clock = context;
+    of_clock.open = [&](const std::string& name) -> Result<Document> {
+      auto other = context.open(name);
+      if (!other) return other;
+      auto times = clock_of(*other);
+      if (!times) return fail(ErrorKind::Usage, "CLI001", "no frames");
+      return std::move(*times);
+    };
+    return apply(std::span(&*operation, 1), clock, of_clock, ignored).has_value();
+  });
+  return applied;
 }
 
 }  // namespace
@@ -204,6 +238,7 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
       read(session.files, opening.path, format, std::move(*options), slot.opened, diagnostics);
   if (!document) return fail(std::move(document.error()));
   slot.source = slot.current = std::move(*document);
+  slot.clock = clock_of(slot.source);
   auto placed = place_current(session, slot, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   slot.noticed = diagnostics;
@@ -215,6 +250,7 @@ Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
   Slot changed = slot;
   changed.current = changed.source;
   changed.source_frames.clear();
+  changed.clock = clock_of(changed.source);
   for (const Json& step : steps) {
     changed.source_frames.clear();
     const auto warping = step.find("warp");

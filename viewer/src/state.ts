@@ -28,6 +28,8 @@ export interface OpenMotion {
   version: number;
   /** The time at which it starts, in seconds. */
   offset: number;
+  /** The handle of the motion that was made of it, and with which it keeps step; 0: none. */
+  originalOf: number;
   /** How fast it runs beside the others: other than 1 where frames are linked by number. */
   pace: number;
   placement: Placement;

@@ -144,6 +144,31 @@ test('a list of steps replaces another, and a refused one changes nothing', asyn
   assert.match(words.error.message, /tail/);
 });
 
+test('a motion tells with which time of its source it begins', () =>
+  openCore().then((core) => {
+    const rows = Array.from({length: 40}, (_, f) => `${f} 90 0 0 0 0`).join('\n');
+    const head = 'HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition ';
+    const tail = 'Zrotation Xrotation Yrotation\n}\nMOTION\nFrames: 40\nFrame Time: 0.1\n';
+    core.addFile('a.bvh', Buffer.from(`${head}${tail}${rows}\n`));
+    core.addFile('b.bvh', Buffer.from(`${head}${tail}${rows}\n`));
+    const {handle} = core.ask('open', {path: 'a.bvh'});
+    const startAfter = (...words) => {
+      const steps = words.map((one) => (typeof one === 'string' ? {operation: one} : {warp: one}));
+      const {document, error} = core.ask('edit', {handle, steps});
+      assert.equal(error, undefined, `${words}`);
+      return Math.round(document.source_start * 1e6) / 1e6;
+    };
+    assert.equal(startAfter(), 0);
+    assert.equal(startAfter('trim=10:30'), 1);
+    assert.equal(startAfter('trim=10:30', 'mirror=x', 'trim=5:20'), 1.5);
+    assert.equal(startAfter('speed=2', 'trim=5:10'), 1);
+    assert.equal(startAfter('append=b.bvh', 'trim=4:50'), 0.4);
+    assert.equal(startAfter('trim=10:30', {key: ['10:12'], tail: 'extend'}), 1);
+    assert.equal(startAfter({key: ['8:0', '20:12'], tail: 'extend'}), 0.8);
+    // Backwards there is no time at which both could start.
+    assert.equal(startAfter('trim=10:30', 'reverse'), 0);
+  }));
+
 test('a motion is written as the command writes it, and its source is given back', async (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
   t.after(() => rmSync(folder, {recursive: true}));

@@ -9,6 +9,7 @@ import {activeMotion, type Front, type Store} from '../state.ts';
 import {makeAxes} from './axes.ts';
 import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
+import {coverOf} from './cover.ts';
 import {type Figures, makeFigures} from './figures.ts';
 import {cellSize} from './floor.ts';
 import {floorHeight, follow, framedBox} from './framing.ts';
@@ -180,7 +181,10 @@ export function makeScene(
     const motion = activeMotion(store.state);
     if (isAnew) cameras.setView(store.state.camera, facingOf(motion), true);
     if (isAnew) stage.turnSun(facingOf(motion));
-    cameras.frame(framed());
+    const box = framed();
+    cameras.frame(box);
+    const cover = coverOf(figures.presentBox(present), cameras.current);
+    if (cover.top + cover.bottom > 0) cameras.frame(box, cover);
   };
 
   function drawNow() {

@@ -278,7 +278,7 @@ Result<void> set_writing(const Format& format, const Json& words, WriteOptions& 
 }
 
 /// {"handle", "name", "format", "options"}: the document after its steps, converted.
-Json write_document(Held& held, const Slot& slot, const Json& question) {
+Json write_document(const Session& session, Held& held, Slot& slot, const Json& question) {
   const std::string name = text_of(question, "name"), wanted = text_of(question, "format");
   const Format* format = wanted.empty() ? format_of_name(name) : find_format(wanted);
   Diagnostics diagnostics;
@@ -296,6 +296,9 @@ Json write_document(Held& held, const Slot& slot, const Json& question) {
   if (auto set = set_writing(*format, words, options, adapting); !set) {
     return failure(set.error(), diagnostics);
   }
+  auto project = project_of(session, slot, diagnostics);
+  if (!project) return failure(project.error(), diagnostics);
+  options.project = std::move(*project);
   // A flow stays a flow where the format has one, otherwise what its robot does is written.
   const bool is_kept = contains(format->conventions.writes, slot.current);
   const Document& document = is_kept ? slot.current : slot.played;
@@ -362,7 +365,7 @@ Json answer(Session& session, Held& held, const Json& question) {
   if (ask == "contacts") return contacts(*slot);
   if (ask == "zmp") return zmp(held, *slot);
   if (ask == "check") return check_document(*slot);
-  if (ask == "write") return write_document(held, *slot, question);
+  if (ask == "write") return write_document(session, held, *slot, question);
   if (ask == "write_poses") return write_poses(held, *slot, question);
   return failure(make_error(ErrorKind::Usage, "CLI001", "there is no question '" + ask + "'"), {});
 }

@@ -61,23 +61,6 @@ Result<std::shared_ptr<const Document>> read_model(const FileSet& files, Slot& s
   return std::make_shared<const Document>(std::move(*model));
 }
 
-Result<std::shared_ptr<const RobotProject>> read_project_of(const FileSet& files, Slot& slot,
-                                                            bool is_lenient,
-                                                            Diagnostics& diagnostics) {
-  const std::string& path = slot.opening.project;
-  if (path.empty()) return nullptr;
-  const auto bytes = bytes_of(files, path);
-  if (!bytes) return fail(bytes.error());
-  slot.opened.insert(path);
-  ReadOptions options;
-  options.source_name = path;
-  options.lenient = is_lenient;
-  options.companions = files_beside(files, path, slot.opened);
-  auto project = read_project(*bytes, options, diagnostics);
-  if (!project) return fail(std::move(project.error()));
-  return std::make_shared<const RobotProject>(std::move(*project));
-}
-
 /// The servo map that the opening names, otherwise the one of its project; nothing without both.
 Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
                                               const RobotProject* project,
@@ -111,8 +94,7 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
                         Diagnostics& diagnostics) {
   const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
   if (flow == nullptr) return document;
-  const bool is_lenient = slot.opening.options.value("lenient", false);
-  auto project = read_project_of(session.files, slot, is_lenient, diagnostics);
+  auto project = project_of(session, slot, diagnostics);
   if (!project) return fail(std::move(project.error()));
   auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
   if (!map) return fail(std::move(map.error()));
@@ -189,7 +171,7 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
     std::set<std::string> opened;
     return read(session.files, name, nullptr, {}, opened, diagnostics);
   };
-  auto project = read_project_of(session.files, slot, context.lenient, diagnostics);
+  auto project = project_of(session, slot, diagnostics);
   if (!project) return fail(std::move(project.error()));
   context.project = std::move(*project);
   auto applied = apply(std::span(&*operation, 1), slot.current, context, diagnostics);
@@ -210,6 +192,22 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
 }
 
 }  // namespace
+
+Result<std::shared_ptr<const RobotProject>> project_of(const Session& session, Slot& slot,
+                                                       Diagnostics& diagnostics) {
+  const std::string& path = slot.opening.project;
+  if (path.empty()) return nullptr;
+  const auto bytes = bytes_of(session.files, path);
+  if (!bytes) return fail(bytes.error());
+  slot.opened.insert(path);
+  ReadOptions options;
+  options.source_name = path;
+  options.lenient = slot.opening.options.value("lenient", false);
+  options.companions = files_beside(session.files, path, slot.opened);
+  auto project = read_project(*bytes, options, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  return std::make_shared<const RobotProject>(std::move(*project));
+}
 
 DocumentSource source_of_model(const Slot& slot) {
   if (slot.model == nullptr) return {};

@@ -13,6 +13,7 @@
 #include "kinefile/fk.hpp"
 #include "kinefile/process.hpp"
 #include "kinefile/retime.hpp"
+#include "kinefile/robot_project.hpp"
 
 // The documents that the page has open.
 namespace kinefile::page {
@@ -70,6 +71,11 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
 /// \errors those of the operations, of `retime::warp_map`, `place` and `fk`
 Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
                          Diagnostics& diagnostics);
+
+/// Reads the project that a slot's flow is for; null if it has none.
+/// \errors IO001 (Io) if there is no such file; those of `read_project`
+Result<std::shared_ptr<const RobotProject>> project_of(const Session& session, Slot& slot,
+                                                       Diagnostics& diagnostics);
 
 /// Gives the model of a slot; null if it has none. The slot need not outlive it.
 DocumentSource source_of_model(const Slot& slot);

@@ -48,6 +48,7 @@ export interface Shown {
   ghosts: boolean;
   paths: boolean;
   contacts: boolean;
+  zmp: boolean;
   axes: boolean;
   names: boolean;
   shapes: boolean;

@@ -191,6 +191,65 @@ test('a motion is written as the command writes it, and its source is given back
   assert.deepEqual(Buffer.from(files[0].bytes), readFileSync(path));
 });
 
+test('a file is written with the options of its format and of the conversion', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  const path = join(root, 'tests/formats/bvh/valid/spec_example.bvh');
+  const core = await openCore();
+  core.addFile('a.bvh', readFileSync(path));
+  const {handle} = core.ask('open', {path: 'a.bvh'});
+  for (const [name, options] of [
+    ['b.bvh', {decimals: '3', order: 'XYZ', channels: 'all'}],
+    ['b.seq', {'seq-version': '4', 'choreonoid-digits': true, form: 'links', up: 'y'}],
+  ]) {
+    const words = Object.entries(options).flatMap(([option, word]) =>
+      word === true ? [`--${option}`] : [`--${option}`, word],
+    );
+    run('convert', path, join(folder, name), '--quiet', ...words);
+    const [file] = core.ask('write', {handle, name, options}).files;
+    const expected = readFileSync(join(folder, name), 'utf8');
+    assert.equal(Buffer.from(file.bytes).toString(), expected, name);
+  }
+  const {formats} = core.ask('tables');
+  const seq = formats.find(({name}) => name === 'choreonoid');
+  assert.ok(seq.write_options.some(({name}) => name === 'seq-version'));
+  assert.ok(seq.adapt_options.some(({name}) => name === 'form'));
+  assert.ok(formats.every(({is_written, adapt_options}) => is_written || !adapt_options.length));
+  const refused = core.ask('write', {handle, name: 'b.bvh', options: {decimals: '99'}});
+  assert.match(refused.error.message, /decimals/);
+});
+
+test('a ZMP is given in the world, whichever frame the file has it in', async () => {
+  const core = await openCore();
+  const times = [0, 0.6, 1, 1.5, 2];
+  const rows = (height) => times.map((at) => `      - [ ${at}, 0.1, 0, ${height} ]`).join('\n');
+  const zmp = (height, isRelative) => `  -
+    type: Vector3Seq
+    content: ZMP
+    isRootRelative: ${isRelative}
+    frames:
+${rows(height)}
+`;
+  const bow = example('bow.seq').toString();
+  core.addFile('robot.body', example('robot.body'));
+  core.addFile('none.seq', Buffer.from(bow));
+  core.addFile('world.seq', Buffer.from(bow + zmp(0, false)));
+  core.addFile('root.seq', Buffer.from(bow + zmp(-0.7, true)));
+  const pointsOf = (path) => {
+    const {handle, document, error} = core.ask('open', {path, skeleton: 'robot.body'});
+    assert.equal(error, undefined, path);
+    return {points: core.ask('zmp', {handle}).points, count: document.time.num_frames};
+  };
+  assert.equal(pointsOf('none.seq').points.length, 0);
+  for (const path of ['world.seq', 'root.seq']) {
+    const {points, count} = pointsOf(path);
+    assert.equal(points.length, 3 * count, path);
+    [0.1, 0, 0].forEach((value, k) => {
+      assert.ok(Math.abs(points[k] - value) < 1e-9, `${path}: ${points.slice(0, 3)}`);
+    });
+  }
+});
+
 test('files that come one by one, in any order, end as those that come together', async () => {
   const names = ['servos.yaml', 'wave.txt', 'robot.body', 'bow.seq'];
   const orders = [
@@ -224,6 +283,13 @@ test('a flow is written as its own format, and as the motion of its robot', asyn
   const {documents} = core.ask('open_all', {paths: ['robot.body', 'servos.yaml', 'wave.txt']});
   const {handle, document} = documents[0];
   assert.equal(document.has_frames, false);
+  const starts = document.blocks.map(({frame}) => frame);
+  assert.ok(starts.length > 3 && starts[0] === 0, `${starts}`);
+  assert.deepEqual(
+    starts,
+    [...starts].sort((a, b) => a - b),
+  );
+  assert.ok(document.blocks.every(({name}) => name !== ''));
   assert.deepEqual(core.ask('check', {handle}).diagnostics, []);
   const path = (name) => join(root, 'examples', name);
   const robot = ['--servo-map', path('servos.yaml'), '--skeleton', path('robot.body')];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scene in a browser: what is drawn is found by its colours in pictures of the page's own.
 import assert from 'node:assert/strict';
-import {existsSync, writeFileSync} from 'node:fs';
+import {existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
 import {data, drop, launch, openPage, out, phone, root} from './browser.mjs';
@@ -316,6 +316,34 @@ describe('the scene', {concurrency: false}, () => {
     const without = await found(tab, await picture(tab, {width: 480, height: 300}), 'yellow');
     assert.ok((await found(tab, base64, 'yellow')).count > without.count + 20);
     save('scene-contacts.png', base64);
+    await context.close();
+  });
+
+  test('a ZMP is a mark on the floor, where the data holds one', async () => {
+    const times = [0, 0.6, 1, 1.5, 2];
+    const rows = times.map((at) => `      - [ ${at}, 0.25, 0, 0 ]`).join('\n');
+    const seq = `${readFileSync(robot[1], 'utf8')}  -
+    type: Vector3Seq
+    content: ZMP
+    frames:
+${rows}
+`;
+    const {tab, faults, context} = await opened(browser, [
+      file('robot.body', readFileSync(robot[0])),
+      file('zmp.seq', Buffer.from(seq)),
+    ]);
+    const toggle = tab.locator('#views button', {hasText: /^ZMP$/});
+    await toggle.waitFor();
+    await press(tab, 'Top');
+    const yellow = async () =>
+      (await found(tab, await picture(tab, {width: 480, height: 300}), 'yellow')).count;
+    const marked = await yellow();
+    save('scene-zmp.png', await picture(tab, {width: 480, height: 300}));
+    await shot(tab, 'scene-zmp-page.png');
+    await toggle.click();
+    const plain = await yellow();
+    assert.ok(marked > plain + 10, `${marked} ${plain}`);
+    assert.deepEqual(faults, []);
     await context.close();
   });
 

@@ -21,6 +21,7 @@ import {jointOfPath, makePaths} from './paths.ts';
 import {facingOf, makeStarts, offsetsOf} from './placement.ts';
 import {makeScale} from './scale.ts';
 import {makeStage, type Stage} from './stage.ts';
+import {makeZmpMarks} from './zmp.ts';
 
 export interface Scene {
   stage: Stage;
@@ -86,11 +87,13 @@ export function makeScene(
   const cameras = makeCameras(canvas, invalidate);
   const ghosts = makeGhosts(layer());
   const paths = makePaths(core, layer(), invalidate);
-  const contacts = makeContacts(core, layer(), () => {
+  const offerAgain = () => {
     offers.update(store.state.motions, figures);
     invalidate();
-  });
-  const offers = makeOffers(contacts);
+  };
+  const contacts = makeContacts(core, layer(), offerAgain);
+  const zmp = makeZmpMarks(core, layer(), offerAgain);
+  const offers = makeOffers(contacts, zmp);
   const starts = makeStarts(poses, () => {
     place();
     if (!cameras.isMoved) frameAll();
@@ -124,7 +127,9 @@ export function makeScene(
           }))
         : [],
     );
-    contacts.show(shown.contacts ? drawn : [], floorHeight(whole, figures.size()));
+    const floor = floorHeight(whole, figures.size());
+    contacts.show(shown.contacts ? drawn : [], floor);
+    zmp.show(shown.zmp ? drawn : [], floor);
     axes.show(shown.axes ? activeMotion(store.state) : undefined, own, joint, figures.size());
     return true;
   };

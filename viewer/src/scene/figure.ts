@@ -26,6 +26,8 @@ export interface Figure {
   paint(colour: string, tint: number): void;
   /** Draws it faint, as one that is not there at this time. */
   fade(isFaint: boolean): void;
+  /** Where figures are one in the other, that of the higher rank is seen. */
+  lift(rank: number): void;
   /** Marks a joint; -1: none. */
   select(joint: number): void;
   /** Shows a robot's shapes, if it has some, or its bones. */
@@ -177,6 +179,10 @@ export function makeFigure(document: Description, opacity = 1): Figure {
       for (const mesh of meshes) {
         if (mesh !== skeleton.balls) mesh.castShadow = !isGhost && !isFaint;
       }
+    },
+    lift(rank) {
+      material.polygonOffset = rank > 0;
+      material.polygonOffsetFactor = material.polygonOffsetUnits = -rank;
     },
     select(joint) {
       if (joint === selected) return;

@@ -98,8 +98,7 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
         own.offset.copy(offsets[index]);
         const {figure} = own;
         figure.root.visible = motion.isVisible;
-        // Where figures are one in the other, the later one of the list is seen.
-        figure.root.renderOrder = index;
+        figure.lift(index);
         figure.root.matrix.copy(sceneFromFile(motion.document)).setPosition(own.offset);
         figure.root.matrixWorldNeedsUpdate = true;
         figure.paint(motion.colour, motions.length > 1 ? kStrongTint : kTint);

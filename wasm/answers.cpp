@@ -13,6 +13,7 @@
 #include "kinefile/marks.hpp"
 #include "kinefile/process.hpp"
 #include "kinefile/retime.hpp"
+#include "kinefile/robot.hpp"
 #include "opening.hpp"
 
 namespace kinefile::page {
@@ -250,6 +251,24 @@ Json contacts(const Slot& slot) {
   return {{"contacts", std::move(contacts)}, {"diagnostics", json_of(diagnostics)}};
 }
 
+/// {"handle"}: the ZMP of each frame in the world, [frame][3], in the file's unit of length; empty
+/// where the data holds none.
+Json zmp(Held& held, const Slot& slot) {
+  const Motion& motion = motion_of(slot);
+  const BodyMotion* body = std::get_if<BodyMotion>(&slot.current.content);
+  if (body == nullptr) return {{"points", as_doubles(held, {})}};
+  Diagnostics ignored;
+  const auto in_world = robot::zmp(*body, false, ignored);
+  const Component* found =
+      in_world ? find_component(*in_world, ComponentKind::Vectors, kZmp) : nullptr;
+  if (found == nullptr || !have_same_times(found->timeline, motion.clip.timeline)) {
+    return {{"points", as_doubles(held, {})}};
+  }
+  Array<double> points = found->values;
+  for (double& value : points.mutate()) value /= motion.skeleton.metres_per_unit;
+  return {{"points", as_doubles(held, std::move(points))}};
+}
+
 /// {"handle"}: the diagnostics of reading the file and of checking it.
 Json check_document(const Slot& slot) {
   Diagnostics diagnostics = slot.noticed;
@@ -275,8 +294,26 @@ Json files_of(Held& held, std::vector<MemoryFile>&& files) {
   return json;
 }
 
+/// Sets what an output's format and the conversion to it have options for, by their words.
+Result<void> set_writing(const Format& format, const Json& words, WriteOptions& writing,
+                         AdaptOptions& adapting) {
+  Json of_format = Json::object(), of_conversion = Json::object();
+  for (const auto& [name, word] : words.items()) {
+    const bool is_of_format = find_option(format.write_options, name) != nullptr;
+    (is_of_format ? of_format : of_conversion)[name] = word;
+  }
+  std::vector<std::span<const Option<AdaptOptions>>> conversions;
+  for (const AdaptOption& one : adapt_options()) {
+    if (one.is_for(format)) conversions.emplace_back(&one.option, 1);
+  }
+  const std::span<const WriteOption> table[] = {format.write_options};
+  auto set = set_options<WriteOptions>(writing, of_format, table);
+  if (set) set = set_options<AdaptOptions>(adapting, of_conversion, conversions);
+  return set;
+}
+
 /// {"handle", "name", "format", "options"}: the document after its steps, converted.
-Json write_document(Held& held, const Slot& slot, const Json& question) {
+Json write_document(const Session& session, Held& held, Slot& slot, const Json& question) {
   const std::string name = text_of(question, "name"), wanted = text_of(question, "format");
   const Format* format = wanted.empty() ? format_of_name(name) : find_format(wanted);
   Diagnostics diagnostics;
@@ -285,15 +322,22 @@ Json write_document(Held& held, const Slot& slot, const Json& question) {
                    diagnostics);
   }
   AdaptOptions adapting;
-  adapting.skeleton = source_of_model(slot);
-  adapting.skeleton_name = slot.opening.skeleton;
+  if (format->name != slot.source.format) {
+    adapting.skeleton = source_of_model(slot);
+    adapting.skeleton_name = slot.opening.skeleton;
+  }
   WriteOptions options;
-  const bool keeps_format = format->name == slot.source.format;
+  const Json words = question.value("options", Json::object());
+  if (auto set = set_writing(*format, words, options, adapting); !set) {
+    return failure(set.error(), diagnostics);
+  }
+  auto project = project_of(session, slot, diagnostics);
+  if (!project) return failure(project.error(), diagnostics);
+  options.project = std::move(*project);
   // A flow stays a flow where the format has one, otherwise what its robot does is written.
   const bool is_kept = contains(format->conventions.writes, slot.current);
   const Document& document = is_kept ? slot.current : slot.played;
-  auto adapted =
-      adapt(document, *format, keeps_format ? AdaptOptions{} : adapting, options, diagnostics);
+  auto adapted = adapt(document, *format, adapting, options, diagnostics);
   if (!adapted) return failure(adapted.error(), diagnostics);
   const auto files = std::make_shared<std::vector<MemoryFile>>();
   const OutputFiles output = files_in_memory(files);
@@ -354,8 +398,9 @@ Json answer(Session& session, Held& held, const Json& question) {
   if (ask == "curves") return curves(held, *slot, question);
   if (ask == "marks") return marks(*slot);
   if (ask == "contacts") return contacts(*slot);
+  if (ask == "zmp") return zmp(held, *slot);
   if (ask == "check") return check_document(*slot);
-  if (ask == "write") return write_document(held, *slot, question);
+  if (ask == "write") return write_document(session, held, *slot, question);
   if (ask == "write_poses") return write_poses(held, *slot, question);
   return failure(make_error(ErrorKind::Usage, "CLI001", "there is no question '" + ask + "'"), {});
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clock.hpp"
 #include "kinefile/evidence.hpp"
 #include "kinefile/info.hpp"
 #include "kinefile/kinematics.hpp"
@@ -208,6 +209,13 @@ Json json_of(const Format& format) {
   json["takes_skeleton"] = format.takes_skeleton;
   json["read_options"] = options_of(format.read_options);
   json["write_options"] = options_of(format.write_options);
+  json["adapt_options"] = Json::array();
+  for (const AdaptOption& adapting : adapt_options()) {
+    const bool is_word = adapting.option.set != nullptr;  // others name files for the command
+    if (is_word && adapting.is_for(format) && is_written(format)) {
+      json["adapt_options"].push_back(json_of(adapting.option.info));
+    }
+  }
   return json;
 }
 
@@ -271,6 +279,12 @@ Json describe(const Slot& slot) {
   json.update(evidence_of(motion));
   json["source_frames"] = Json::array();
   for (const double frame : slot.source_frames) json["source_frames"].push_back(frame);
+  json["source_start"] = number(start_of(slot.clock));
+  json["blocks"] = Json::array();
+  for (const PlayedBlock& block : slot.blocks) {
+    json["blocks"].push_back(
+        {{"frame", block.tick}, {"number", block.number}, {"name", block.name}});
+  }
   return json;
 }
 
@@ -288,10 +302,6 @@ Json tables() {
   Json warp = options_of(retime::warp_options());
   for (const Json& option : options_of(retime::retime_options())) warp.push_back(option);
   json["warp_options"] = std::move(warp);
-  json["adapt_options"] = Json::array();
-  for (const AdaptOption& adapting : adapt_options()) {
-    json["adapt_options"].push_back(json_of(adapting.option.info));
-  }
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "clock.hpp"
 #include "kinefile/io.hpp"
 #include "kinefile/place.hpp"
 #include "kinefile/retime_documents.hpp"
@@ -63,23 +64,6 @@ Result<std::shared_ptr<const Document>> read_model(const FileSet& files, Slot& s
   return std::make_shared<const Document>(std::move(*model));
 }
 
-Result<std::shared_ptr<const RobotProject>> read_project_of(const FileSet& files, Slot& slot,
-                                                            bool lenient,
-                                                            Diagnostics& diagnostics) {
-  const std::string& path = slot.opening.project;
-  if (path.empty()) return nullptr;
-  const auto bytes = bytes_of(files, path);
-  if (!bytes) return fail(bytes.error());
-  slot.opened.insert(path);
-  ReadOptions options;
-  options.source_name = path;
-  options.lenient = lenient;
-  options.companions = files_beside(files, path, slot.opened);
-  auto project = read_project(*bytes, options, diagnostics);
-  if (!project) return fail(std::move(project.error()));
-  return std::make_shared<const RobotProject>(std::move(*project));
-}
-
 /// The servo map that the opening names, otherwise the one of its project; nothing without both.
 Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
                                               const RobotProject* project,
@@ -96,13 +80,24 @@ Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
   return std::optional(std::move(*map));
 }
 
+/// The poses of a run, in its order.
+std::vector<PlayedBlock> blocks_of(const flow::Run& run, const PoseFlow& flow) {
+  constexpr std::size_t kMost = 5000;  // more cannot be seen on a timeline
+  std::vector<PlayedBlock> blocks;
+  for (const flow::Step& step : run.path) {
+    const Block& block = flow.blocks[step.block];
+    if (!std::holds_alternative<PoseBlock>(block.body) || blocks.size() == kMost) continue;
+    blocks.push_back({step.tick, step.block, block.name});
+  }
+  return blocks;
+}
+
 /// Runs a flow through a servo map, so that it has a motion; other documents stay as they are.
 Result<Document> moving(const Session& session, Slot& slot, const Document& document,
                         Diagnostics& diagnostics) {
   const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
   if (flow == nullptr) return document;
-  const bool lenient = is_lenient(slot.opening);
-  auto project = read_project_of(session.files, slot, lenient, diagnostics);
+  auto project = project_of(session, slot, diagnostics);
   if (!project) return fail(std::move(project.error()));
   auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
   if (!map) return fail(std::move(map.error()));
@@ -118,6 +113,7 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
   settings.servo_map = **map;
   const auto timed = run(*flow, settings, diagnostics);
   if (!timed) return fail(timed.error());
+  slot.blocks = blocks_of(timed->run, *flow);
   ServoMap timed_map = **map;
   timed_map.tick_seconds = timed->tick_seconds;
   return document_of_run(*timed, timed_map, source_of_model(slot), diagnostics);
@@ -158,7 +154,13 @@ Result<void> warp(Slot& slot, const Json& words, Diagnostics& diagnostics) {
   auto map = retime::warp_map(slot.current, warp, diagnostics);
   if (!map) return fail(std::move(map.error()));
   slot.source_frames = map->old_frames;
-  return retime::apply(slot.current, *map, retiming, diagnostics);
+  auto applied = retime::apply(slot.current, *map, retiming, diagnostics);
+  if (!applied) return applied;
+  turn_clock(slot.clock, slot.current, [&](Document& clock) {
+    Diagnostics ignored;
+    return retime::apply(clock, *map, retiming, ignored).has_value();
+  });
+  return {};
 }
 
 /// Applies one operation of the table.
@@ -172,13 +174,43 @@ Result<void> operate(const Session& session, Slot& slot, const std::string& word
     std::set<std::string> opened;
     return read(session.files, name, nullptr, {}, opened, diagnostics);
   };
-  auto project = read_project_of(session.files, slot, context.lenient, diagnostics);
+  auto project = project_of(session, slot, diagnostics);
   if (!project) return fail(std::move(project.error()));
   context.project = std::move(*project);
-  return apply(std::span(&*operation, 1), slot.current, context, diagnostics);
+  auto applied = apply(std::span(&*operation, 1), slot.current, context, diagnostics);
+  if (!applied || !operation->info->works_on_components) return applied;
+  turn_clock(slot.clock, slot.current, [&](Document& clock) {
+    Diagnostics ignored;
+    OperationContext of_clock = context;
+    of_clock.open = [&](const std::string& name) -> Result<Document> {
+      auto other = context.open(name);
+      if (!other) return other;
+      auto times = clock_of(*other);
+      if (!times) return fail(ErrorKind::Usage, "CLI001", "no frames");
+      return std::move(*times);
+    };
+    return apply(std::span(&*operation, 1), clock, of_clock, ignored).has_value();
+  });
+  return applied;
 }
 
 }  // namespace
+
+Result<std::shared_ptr<const RobotProject>> project_of(const Session& session, Slot& slot,
+                                                       Diagnostics& diagnostics) {
+  const std::string& path = slot.opening.project;
+  if (path.empty()) return nullptr;
+  const auto bytes = bytes_of(session.files, path);
+  if (!bytes) return fail(bytes.error());
+  slot.opened.insert(path);
+  ReadOptions options;
+  options.source_name = path;
+  options.lenient = is_lenient(slot.opening);
+  options.companions = files_beside(session.files, path, slot.opened);
+  auto project = read_project(*bytes, options, diagnostics);
+  if (!project) return fail(std::move(project.error()));
+  return std::make_shared<const RobotProject>(std::move(*project));
+}
 
 DocumentSource source_of_model(const Slot& slot) {
   if (slot.model == nullptr) return {};
@@ -212,6 +244,7 @@ Result<Slot> open(const Session& session, const Opening& opening, Diagnostics& d
       read(session.files, opening.path, format, std::move(*options), slot.opened, diagnostics);
   if (!document) return fail(std::move(document.error()));
   slot.source = slot.current = std::move(*document);
+  slot.clock = clock_of(slot.source);
   auto placed = place_current(session, slot, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   slot.noticed = diagnostics;
@@ -237,6 +270,7 @@ Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
   Slot changed = slot;
   changed.current = changed.source;
   changed.source_frames.clear();
+  changed.clock = clock_of(changed.source);
   for (const Json& step : steps) {
     changed.source_frames.clear();
     const auto warping = step.find("warp");

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "files.hpp"
 #include "kinefile/fk.hpp"
 #include "kinefile/process.hpp"
 #include "kinefile/retime.hpp"
+#include "kinefile/robot_project.hpp"
 
 // The documents that the page has open.
 namespace kinefile::page {
@@ -27,6 +30,13 @@ struct Opening {
   Json options = Json::object();  ///< words by the names in the formats' tables of read options
 };
 
+/// A pose of a flow as its robot takes it.
+struct PlayedBlock {
+  std::uint64_t tick = 0;  ///< when it begins; the frame of the robot's motion
+  std::size_t number = 0;  ///< in the flow's file
+  std::string name;        ///< empty where the flow's format has none
+};
+
 /// An open document. It is read once; steps are applied to a copy of what was read, so that any
 /// list of steps can replace another.
 struct Slot {
@@ -37,6 +47,9 @@ struct Slot {
   Document played;                        ///< of a flow: the motion of its robot; else `current`
   FkTable table;                          ///< `current` in the world
   std::vector<double> source_frames;      ///< of the last step, if that is a warp; otherwise empty
+  std::optional<Document> clock;          ///< the times of `source` that `current` shows, as a body
+                                          ///< motion; absent: it has no frames, or not known
+  std::vector<PlayedBlock> blocks;        ///< of a flow: its poses in the order of its run
   std::set<std::string> opened;           ///< the companions that were read, by path
   Diagnostics noticed;                    ///< of reading and placing it
 };
@@ -65,6 +78,11 @@ std::optional<Opening> lenient_opening(const Session& session, const Opening& fa
 /// \errors those of the operations, of `retime::warp_map`, `place` and `fk`
 Result<void> apply_steps(const Session& session, Slot& slot, const Json& steps,
                          Diagnostics& diagnostics);
+
+/// Reads the project that a slot's flow is for; null if it has none.
+/// \errors IO001 (Io) if there is no such file; those of `read_project`
+Result<std::shared_ptr<const RobotProject>> project_of(const Session& session, Slot& slot,
+                                                       Diagnostics& diagnostics);
 
 /// Gives the model of a slot; null if it has none. The slot need not outlive it.
 DocumentSource source_of_model(const Slot& slot);

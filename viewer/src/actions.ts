@@ -72,6 +72,15 @@ const againText = (again: OpenMotion[]): string =>
 const mayOpen = ({what, diagnostics}: OpenedFile): boolean =>
   what === 'fault' || (what === 'unknown' && diagnostics.length > 0);
 
+/** Lets originals keep step with a motion whose steps now begin with another frame of its source. */
+function inStep(motions: OpenMotion[], before: OpenMotion, now: Description): OpenMotion[] {
+  const moved = (now.source_start - before.document.source_start) / before.pace;
+  if (moved === 0) return motions;
+  return motions.map((motion) =>
+    motion.originalOf === before.handle ? {...motion, offset: motion.offset - moved} : motion,
+  );
+}
+
 export function makeActions(core: Core, store: Store): Actions {
   /** A colour that no open motion has, as long as there is one. */
   const freeColour = (motions: OpenMotion[]): string =>
@@ -96,8 +105,10 @@ export function makeActions(core: Core, store: Store): Actions {
       undone: [],
       version: 1,
       offset: 0,
+      originalOf: 0,
       pace: 1,
       placement: 'recorded',
+      front: null,
       diagnostics,
     },
   ];
@@ -149,12 +160,16 @@ export function makeActions(core: Core, store: Store): Actions {
     store.set({
       message: '',
       joint: isActive && !keepsJoints ? -1 : store.state.joint,
-      motions: withMotion(store.state, motion.handle, {
-        ...history,
+      motions: inStep(
+        withMotion(store.state, motion.handle, {
+          ...history,
+          document,
+          diagnostics,
+          version: now.version + 1,
+        }),
+        now,
         document,
-        diagnostics,
-        version: now.version + 1,
-      }),
+      ),
     });
     return null;
   };

@@ -39,7 +39,15 @@ const store = makeStore({
   repeats: true,
   link: 'time',
   camera: 'orbit',
-  shown: {ghosts: false, paths: false, contacts: false, axes: false, names: true, shapes: true},
+  shown: {
+    ghosts: false,
+    paths: false,
+    contacts: false,
+    zmp: true,
+    axes: false,
+    names: true,
+    shapes: true,
+  },
   isWarping: false,
   // On a phone the panel would hide the timeline.
   isSideOpen: !kPhone.matches,

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a motion is called: two of them may come from one file.
 import type {OpenMotion} from './state.ts';
+import {presenceOf} from './times.ts';
 import {t} from './words.ts';
+
+/** What is said of a motion that has not begun, or is over; empty: nothing. */
+export function presenceText(motion: OpenMotion, seconds: number): string {
+  const presence = presenceOf(motion, seconds);
+  if (presence === 'now') return '';
+  return t(presence === 'before' ? 'not_begun' : 'is_over');
+}
 
 /** What was done to a motion, in a word or two. */
 export function changesOf({steps}: OpenMotion): string {

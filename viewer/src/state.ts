@@ -7,6 +7,9 @@ import type {Language} from './words.ts';
 /** How a motion stands in the scene, beside the others. */
 export type Placement = 'recorded' | 'aligned' | 'beside';
 
+/** A direction along an axis of a file. */
+export type Front = '+x' | '-x' | '+y' | '-y' | '+z' | '-z';
+
 /** A motion that is open. */
 export interface OpenMotion {
   handle: number;
@@ -25,9 +28,13 @@ export interface OpenMotion {
   version: number;
   /** The time at which it starts, in seconds. */
   offset: number;
+  /** The handle of the motion that was made of it, and with which it keeps step; 0: none. */
+  originalOf: number;
   /** How fast it runs beside the others: other than 1 where frames are linked by number. */
   pace: number;
   placement: Placement;
+  /** Where its figure faces, as a person says; null: where the core finds it does. */
+  front: Front | null;
   diagnostics: Diagnostic[];
 }
 
@@ -41,6 +48,7 @@ export interface Shown {
   ghosts: boolean;
   paths: boolean;
   contacts: boolean;
+  zmp: boolean;
   axes: boolean;
   names: boolean;
   shapes: boolean;

@@ -53,6 +53,22 @@ export const secondsPerFrame = ({document, pace}: OpenMotion): number =>
 export const endOf = ({offset, pace, document}: OpenMotion): number =>
   offset + Number(document.time.duration) / pace;
 
+/** Whether a motion is shown at a time, has not begun, or is over. A pose has no beginning. */
+export function presenceOf(motion: OpenMotion, seconds: number): 'now' | 'before' | 'after' {
+  const {time} = motion.document;
+  const count = numFrames(time);
+  if (count < 2) return 'now';
+  const own = ownSeconds(motion, seconds);
+  const slack = kRounding * time.frame_time;
+  if (own < -slack) return 'before';
+  // The last frame lasts as long as the others.
+  return own < timeOfFrame(time, count - 1) + time.frame_time - slack ? 'now' : 'after';
+}
+
+/** When an original starts, so that both show the same frame of it where the changed one starts. */
+export const originalOffset = (changed: OpenMotion, original: OpenMotion): number =>
+  changed.offset - (changed.document.source_start - original.document.source_start) / original.pace;
+
 /** From the first start to the last end of all motions, in seconds. */
 export function wholeRange(state: Readonly<State>): [number, number] {
   let first = Infinity;

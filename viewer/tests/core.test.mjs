@@ -145,6 +145,31 @@ test('a list of steps replaces another, and a refused one changes nothing', asyn
   assert.match(words.error.message, /tail/);
 });
 
+test('a motion tells with which time of its source it begins', () =>
+  openCore().then((core) => {
+    const rows = Array.from({length: 40}, (_, f) => `${f} 90 0 0 0 0`).join('\n');
+    const head = 'HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition ';
+    const tail = 'Zrotation Xrotation Yrotation\n}\nMOTION\nFrames: 40\nFrame Time: 0.1\n';
+    core.addFile('a.bvh', Buffer.from(`${head}${tail}${rows}\n`));
+    core.addFile('b.bvh', Buffer.from(`${head}${tail}${rows}\n`));
+    const {handle} = core.ask('open', {path: 'a.bvh'});
+    const startAfter = (...words) => {
+      const steps = words.map((one) => (typeof one === 'string' ? {operation: one} : {warp: one}));
+      const {document, error} = core.ask('edit', {handle, steps});
+      assert.equal(error, undefined, `${words}`);
+      return Math.round(document.source_start * 1e6) / 1e6;
+    };
+    assert.equal(startAfter(), 0);
+    assert.equal(startAfter('trim=10:30'), 1);
+    assert.equal(startAfter('trim=10:30', 'mirror=x', 'trim=5:20'), 1.5);
+    assert.equal(startAfter('speed=2', 'trim=5:10'), 1);
+    assert.equal(startAfter('append=b.bvh', 'trim=4:50'), 0.4);
+    assert.equal(startAfter('trim=10:30', {key: ['10:12'], tail: 'extend'}), 1);
+    assert.equal(startAfter({key: ['8:0', '20:12'], tail: 'extend'}), 0.8);
+    // Backwards there is no time at which both could start.
+    assert.equal(startAfter('trim=10:30', 'reverse'), 0);
+  }));
+
 test('a motion is written as the command writes it, and its source is given back', async (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
   t.after(() => rmSync(folder, {recursive: true}));
@@ -165,6 +190,65 @@ test('a motion is written as the command writes it, and its source is given back
   }
   const {files} = core.ask('source', {path: 'a.bvh'});
   assert.deepEqual(Buffer.from(files[0].bytes), readFileSync(path));
+});
+
+test('a file is written with the options of its format and of the conversion', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  const path = join(root, 'tests/formats/bvh/valid/spec_example.bvh');
+  const core = await openCore();
+  core.addFile('a.bvh', readFileSync(path));
+  const {handle} = core.ask('open', {path: 'a.bvh'});
+  for (const [name, options] of [
+    ['b.bvh', {decimals: '3', order: 'XYZ', channels: 'all'}],
+    ['b.seq', {'seq-version': '4', 'choreonoid-digits': true, form: 'links', up: 'y'}],
+  ]) {
+    const words = Object.entries(options).flatMap(([option, word]) =>
+      word === true ? [`--${option}`] : [`--${option}`, word],
+    );
+    run('convert', path, join(folder, name), '--quiet', ...words);
+    const [file] = core.ask('write', {handle, name, options}).files;
+    const expected = readFileSync(join(folder, name), 'utf8');
+    assert.equal(Buffer.from(file.bytes).toString(), expected, name);
+  }
+  const {formats} = core.ask('tables');
+  const seq = formats.find(({name}) => name === 'choreonoid');
+  assert.ok(seq.write_options.some(({name}) => name === 'seq-version'));
+  assert.ok(seq.adapt_options.some(({name}) => name === 'form'));
+  assert.ok(formats.every(({is_written, adapt_options}) => is_written || !adapt_options.length));
+  const refused = core.ask('write', {handle, name: 'b.bvh', options: {decimals: '99'}});
+  assert.match(refused.error.message, /decimals/);
+});
+
+test('a ZMP is given in the world, whichever frame the file has it in', async () => {
+  const core = await openCore();
+  const times = [0, 0.6, 1, 1.5, 2];
+  const rows = (height) => times.map((at) => `      - [ ${at}, 0.1, 0, ${height} ]`).join('\n');
+  const zmp = (height, isRelative) => `  -
+    type: Vector3Seq
+    content: ZMP
+    isRootRelative: ${isRelative}
+    frames:
+${rows(height)}
+`;
+  const bow = example('bow.seq').toString();
+  core.addFile('robot.body', example('robot.body'));
+  core.addFile('none.seq', Buffer.from(bow));
+  core.addFile('world.seq', Buffer.from(bow + zmp(0, false)));
+  core.addFile('root.seq', Buffer.from(bow + zmp(-0.7, true)));
+  const pointsOf = (path) => {
+    const {handle, document, error} = core.ask('open', {path, skeleton: 'robot.body'});
+    assert.equal(error, undefined, path);
+    return {points: core.ask('zmp', {handle}).points, count: document.time.num_frames};
+  };
+  assert.equal(pointsOf('none.seq').points.length, 0);
+  for (const path of ['world.seq', 'root.seq']) {
+    const {points, count} = pointsOf(path);
+    assert.equal(points.length, 3 * count, path);
+    [0.1, 0, 0].forEach((value, k) => {
+      assert.ok(Math.abs(points[k] - value) < 1e-9, `${path}: ${points.slice(0, 3)}`);
+    });
+  }
 });
 
 test('files that come one by one, in any order, end as those that come together', async () => {
@@ -207,6 +291,13 @@ test('a flow is written as its own format, and as the motion of its robot', asyn
   const {documents} = core.ask('open_all', {paths: ['robot.body', 'servos.yaml', 'wave.txt']});
   const {handle, document} = documents[0];
   assert.equal(document.has_frames, false);
+  const starts = document.blocks.map(({frame}) => frame);
+  assert.ok(starts.length > 3 && starts[0] === 0, `${starts}`);
+  assert.deepEqual(
+    starts,
+    [...starts].sort((a, b) => a - b),
+  );
+  assert.ok(document.blocks.every(({name}) => name !== ''));
   assert.deepEqual(core.ask('check', {handle}).diagnostics, []);
   const path = (name) => join(root, 'examples', name);
   const robot = ['--servo-map', path('servos.yaml'), '--skeleton', path('robot.body')];

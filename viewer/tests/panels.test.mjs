@@ -362,6 +362,58 @@ test('the copied command does what the page does', {skip: !existsSync(kinefile)}
   await context.close();
 });
 
+test('a format has its own options, which are saved and in the command', {
+  skip: !existsSync(kinefile),
+}, async () => {
+  const path = writeBvh('options.bvh', 12);
+  const {tab, context, faults} = await opened([path]);
+  await openTab(tab, 'edit');
+  await tab.click('.operation:has-text("trim")');
+  await tab.fill('form [name="begin"]', '2');
+  await tab.fill('form [name="end"]', '8');
+  await tab.click('form button:has-text("Apply")');
+  await isShown(tab, '.steps', 'trim=2:8');
+  await openTab(tab, 'export');
+  await tab.click('.write-options summary');
+  await tab.fill('.write-options [name="decimals"]', '99');
+  await tab.click('#panel-export button:has-text("Save")');
+  await isShown(tab, '.told', 'Nothing was saved');
+  await tab.fill('.write-options [name="decimals"]', '2');
+  const edit = 'kinefile edit options.bvh trim=2:8';
+  assert.equal(await tab.textContent('.command'), `${edit} --decimals 2 -o options_edited.bvh`);
+  await tab.fill('.write-options [name="order"]', 'XYZ');
+  // Only `convert` has an order.
+  const command = `${edit} -o options.step1.bvh &&
+kinefile convert options.step1.bvh --decimals 2 --order XYZ -o options_edited.bvh`;
+  assert.equal(await tab.textContent('.command'), command);
+  await shot(tab, 'export_options');
+  const [saved] = await Promise.all([
+    tab.waitForEvent('download'),
+    tab.click('#panel-export button:has-text("Save")'),
+  ]);
+  for (const name of ['options.step1.bvh', 'options_edited.bvh']) {
+    rmSync(join(folder, name), {force: true});
+  }
+  execFileSync('sh', ['-c', command.replaceAll(/^kinefile/gm, '"$KINEFILE"')], {
+    cwd: folder,
+    env: {...process.env, KINEFILE: kinefile},
+    stdio: 'pipe',
+  });
+  const made = readFileSync(join(folder, 'options_edited.bvh'), 'utf8');
+  assert.match(made, /CHANNELS 3 Xrotation Yrotation Zrotation/);
+  assert.equal(readFileSync(await saved.path(), 'utf8'), made);
+  // Another format has others, and the first ones are there again with the first format.
+  await tab.selectOption('#export-format', 'choreonoid');
+  assert.equal(await tab.locator('.write-options [name="seq-version"]').count(), 1);
+  await tab.click('.write-options summary');
+  await tab.check('.write-options [name="choreonoid-digits"]');
+  assert.match(await tab.textContent('.command'), / --choreonoid-digits -o options_edited\.seq$/);
+  await tab.selectOption('#export-format', 'bvh');
+  assert.equal(await tab.inputValue('.write-options [name="decimals"]'), '2');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
 test('the file is read again with other options', async () => {
   const {tab, context, faults} = await opened([writeBvh('read.bvh', 10)]);
   await openTab(tab, 'info');
@@ -582,6 +634,10 @@ test('a flow of servo poses: its own operations, its robot and its servo map', a
   await isShown(tab, '.facts', 'flow of servo poses');
   assert.equal(await tab.inputValue('#companion-skeleton'), 'robot.body');
   assert.equal(await tab.inputValue('#companion-servo_map'), 'servos.yaml');
+  const labels = await tab.evaluate(() =>
+    [...document.querySelectorAll('.track .block .label')].map((one) => one.textContent),
+  );
+  assert.ok(labels.length > 1 && labels.every((text) => text !== ''), `${labels}`);
   await shot(tab, 'flow');
   await openTab(tab, 'edit');
   await isShown(tab, '.operation', 'offset=SLIDER:VALUE');

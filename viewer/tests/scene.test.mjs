@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scene in a browser: what is drawn is found by its colours in pictures of the page's own.
 import assert from 'node:assert/strict';
-import {existsSync, writeFileSync} from 'node:fs';
+import {existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
 import {data, drop, launch, openPage, out, phone, root} from './browser.mjs';
@@ -172,6 +172,93 @@ describe('the scene', {concurrency: false}, () => {
     await context.close();
   });
 
+  test('a person says where a figure faces: the view from the front looks from there', async () => {
+    const {tab, faults, context} = await opened(browser, [file('walk.bvh', walker())]);
+    const boxOf = async (view) => {
+      await press(tab, view);
+      return found(tab, await picture(tab, {width: 300, height: 300}), 'yellow');
+    };
+    const choose = async (front) => {
+      await tab.click('#tab-info');
+      await tab.selectOption('[name="front"]', front);
+    };
+    const isLike = (one, other) =>
+      ['left', 'right', 'top', 'bottom'].every((edge) => Math.abs(one[edge] - other[edge]) < 0.03);
+    await tab.click('#tab-info');
+    const words = await tab.locator('[name="front"] option').allTextContents();
+    assert.deepEqual(words, ['+z (as found)', '+x', '−x', '+z', '−z']);
+    const [front, side] = [await boxOf('Front'), await boxOf('Side')];
+    assert.ok(!isLike(front, side), JSON.stringify([front, side]));
+    await press(tab, 'Front');
+    await choose('-x');
+    const turned = await boxOf('Front');
+    assert.ok(isLike(turned, side), JSON.stringify([turned, side]));
+    await choose('');
+    assert.ok(isLike(await boxOf('Front'), front));
+    await choose('+x');
+    // The file is read with another axis up, along which nothing can face.
+    await tab.selectOption('[name="up-in"]', 'z');
+    await tab.waitForFunction(
+      () => document.querySelectorAll('[name="front"] option')[3]?.value === '+y',
+    );
+    assert.equal(await tab.inputValue('[name="front"]'), '+x');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+
+  test('the figure stays wholly in view when the editor takes room and the window shrinks', async () => {
+    const {tab, faults, context} = await opened(browser, [file('walk.bvh', walker())], {
+      viewport: {width: 900, height: 620},
+    });
+    const fits = async (colour, what) => {
+      const box = await tab.locator('#canvas').boundingBox();
+      const size = {width: Math.round(box.width), height: Math.round(box.height)};
+      const shown = await found(tab, await picture(tab, {...size, isExact: true}), colour);
+      const {left, right, top, bottom} = shown;
+      const share = Math.max(right - left, bottom - top);
+      assert.ok(left > 0.01 && right < 0.99 && top > 0.01, `${what}: ${JSON.stringify(shown)}`);
+      assert.ok(bottom < 0.85 && share > 0.2, `${what}: ${JSON.stringify(shown)}`);
+      const covered = await tab.evaluate(
+        (place) => {
+          const stage = document.querySelector('#stage').getBoundingClientRect();
+          return ['#lists', '#views'].filter((selector) => {
+            const own = document.querySelector(selector).getBoundingClientRect();
+            const isAside =
+              (own.right - stage.left) / stage.width < place.left ||
+              (own.left - stage.left) / stage.width > place.right;
+            const isApart =
+              (own.bottom - stage.top) / stage.height < place.top ||
+              (own.top - stage.top) / stage.height > place.bottom;
+            return !isAside && !isApart;
+          });
+        },
+        {left, right, top, bottom},
+      );
+      assert.deepEqual(covered, [], `${what}: ${JSON.stringify(shown)}`);
+    };
+    const settled = (height) =>
+      tab.waitForFunction(
+        (least) =>
+          new Promise((done) => {
+            const isThere = document.querySelector('#stage').clientHeight < least;
+            requestAnimationFrame(() => requestAnimationFrame(() => done(isThere)));
+          }),
+        height,
+      );
+    await fits('yellow', 'alone');
+    const {height} = await tab.locator('#stage').boundingBox();
+    await tab.click('.warp-button');
+    await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 2);
+    await settled(height - 100);
+    await fits('blue', 'beside the editor');
+    await tab.setViewportSize({width: 620, height: 700});
+    await settled(height);
+    await fits('blue', 'in a small window');
+    await shot(tab, 'scene-fitted.png');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+
   test('two motions have two colours; the grid says its size and what is a guess', async () => {
     const {tab, faults, context} = await opened(browser, [
       file('a.bvh', walker()),
@@ -229,6 +316,34 @@ describe('the scene', {concurrency: false}, () => {
     const without = await found(tab, await picture(tab, {width: 480, height: 300}), 'yellow');
     assert.ok((await found(tab, base64, 'yellow')).count > without.count + 20);
     save('scene-contacts.png', base64);
+    await context.close();
+  });
+
+  test('a ZMP is a mark on the floor, where the data holds one', async () => {
+    const times = [0, 0.6, 1, 1.5, 2];
+    const rows = times.map((at) => `      - [ ${at}, 0.25, 0, 0 ]`).join('\n');
+    const seq = `${readFileSync(robot[1], 'utf8')}  -
+    type: Vector3Seq
+    content: ZMP
+    frames:
+${rows}
+`;
+    const {tab, faults, context} = await opened(browser, [
+      file('robot.body', readFileSync(robot[0])),
+      file('zmp.seq', Buffer.from(seq)),
+    ]);
+    const toggle = tab.locator('#views button', {hasText: /^ZMP$/});
+    await toggle.waitFor();
+    await press(tab, 'Top');
+    const yellow = async () =>
+      (await found(tab, await picture(tab, {width: 480, height: 300}), 'yellow')).count;
+    const marked = await yellow();
+    save('scene-zmp.png', await picture(tab, {width: 480, height: 300}));
+    await shot(tab, 'scene-zmp-page.png');
+    await toggle.click();
+    const plain = await yellow();
+    assert.ok(marked > plain + 10, `${marked} ${plain}`);
+    assert.deepEqual(faults, []);
     await context.close();
   });
 

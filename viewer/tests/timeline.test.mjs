@@ -173,7 +173,7 @@ test('playing: space, speed, repeat, range', async (t) => {
     await press(tab, 'Space');
     assert.equal(await playing(), 'Play');
   }
-  await tab.click('[aria-label="Close small.bvh"] >> nth=1');
+  await tab.click('[aria-label="Close small.bvh (original)"]');
   await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
   await tab.locator('[aria-label="Hide small.bvh"]').focus();
   await press(tab, 'Space');
@@ -334,10 +334,46 @@ test('time warp: keys by keyboard and numbers, tails, refusals, command, saving'
   assert.equal(await lastFrame(tab), 119);
   await tab.selectOption('[data-option="tail"]', 'extend');
   await waitText(tab, '.frame-field .last', '129');
+  // A key beyond the motion is refused at its numbers, with the limits.
+  await tab.fill('.key-number >> nth=0', '500');
+  await press(tab, 'Enter');
+  await waitText(tab, '.key-numbers .warp-fault', 'an old frame from 0 to 119');
+  const isInvalid = (selector) => ofFirst(tab, selector, (one) => one.ariaInvalid);
+  assert.equal(await isInvalid('.key-number'), 'true');
+  assert.equal(await isInvalid('[data-option="tail"]'), 'false');
+  assert.equal(await count(tab, '.key.refused'), 1);
+  assert.equal(await lastFrame(tab), 129, 'the last good warp is kept');
+  await tab.screenshot({path: join(out, 'timeline-refused-key.png')});
+  await tab.fill('.key-number >> nth=0', '');
+  await press(tab, 'Enter');
+  await waitText(tab, '.key-numbers .warp-fault', 'Expected a number');
+  await tab.fill('.key-number >> nth=0', '50');
+  await press(tab, 'Enter');
+  await tab.waitForSelector('.warp-fault', {state: 'hidden'});
+  await waitText(tab, '.key title', '50 → 60');
+  assert.equal(await isInvalid('.key-number'), 'false');
+  assert.equal(await count(tab, '.key.refused'), 0);
+  // An option that does not fit the keys is refused where it is.
+  await tab.selectOption('[data-option="tail"]', 'keep');
+  await tab.fill('.key-number >> nth=1', '119');
+  await press(tab, 'Enter');
+  await waitText(tab, '.key-numbers .warp-fault', 'expected keys before the new frame 119');
+  await tab.selectOption('[data-option="tail"]', 'extend');
+  await tab.waitForSelector('.warp-fault', {state: 'hidden'});
+  await waitText(tab, '.frame-field .last', '188');
+  await tab.selectOption('[data-option="tail"]', 'keep');
+  await waitText(tab, '.warp-options .warp-fault', 'expected keys before the new frame 119');
+  assert.equal(await isInvalid('[data-option="tail"]'), 'true');
+  assert.equal(await isInvalid('.key-number'), 'false');
+  await tab.selectOption('[data-option="tail"]', 'extend');
+  await tab.fill('.key-number >> nth=1', '60');
+  await press(tab, 'Enter');
+  await waitText(tab, '.frame-field .last', '129');
   await tab.click('.warp-more summary');
   await tab.fill('[data-option="ease"]', 'wobbly');
   await press(tab, 'Enter');
   await waitText(tab, '.warp-fault', 'expected an ease such as smooth');
+  assert.equal(await count(tab, '.warp-field:has([data-option="ease"]) .warp-fault'), 1);
   assert.equal(await lastFrame(tab), 129, 'the last good warp is kept');
   await tab.fill('[data-option="ease"]', 'smooth');
   await press(tab, 'Enter');
@@ -418,6 +454,51 @@ test('several motions: offsets by drag and by number, next motion, placement, cl
   await tab.click('[aria-label="Close other.bvh"]');
   await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 1);
   assert.equal(await count(tab, '#placement'), 0);
+  assert.deepEqual(faults, []);
+});
+
+test('an original keeps step with what its frames were cut from; who is not there is faint', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  await tab.click('#tab-edit');
+  const apply = async (operation, values) => {
+    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+    for (const [name, value] of values) await tab.fill(`form [name="${name}"]`, value);
+    await tab.click('#panel-edit form button.primary');
+    await waitText(tab, '.steps', operation.split('=')[0]);
+    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+  };
+  const offsets = () => ofAll(tab, '.offset', (all) => all.map(({value}) => Number(value)));
+  const presence = () => ofAll(tab, '.presence', (all) => all.map((one) => one.textContent));
+  await apply('trim=A:B', [
+    ['begin', '20'],
+    ['end', '70'],
+  ]);
+  await tab.click('button:has-text("Compare with the original")');
+  await tab.waitForFunction(() => document.querySelectorAll('.offset').length === 2);
+  await waitText(tab, '.motion.active', '1 change');
+  assert.deepEqual(await offsets(), [-0.4, 0], 'frame 20 of the original is the first of the cut');
+  await press(tab, 'm');
+  await waitText(tab, '.motion.active', 'original');
+  assert.equal(await frameOf(tab), 20);
+  assert.deepEqual(await presence(), ['', '']);
+  await press(tab, 'ArrowLeft');
+  assert.deepEqual(await presence(), ['', 'not begun']);
+  await press(tab, 'End');
+  assert.deepEqual(await presence(), ['', 'over']);
+  await press(tab, 'm');
+  await waitText(tab, '.readout.others', 'over');
+  await tab.screenshot({path: join(out, 'timeline-over.png')});
+  // Twice as fast, then 10 frames less: these are 20 of the original.
+  await press(tab, 'Home');
+  await apply('speed=X', [['factor', '2']]);
+  assert.deepEqual(await offsets(), [-0.4, 0]);
+  await apply('trim=A:B', [
+    ['begin', '10'],
+    ['end', '20'],
+  ]);
+  await tab.waitForFunction(() => document.querySelector('.offset').value === '-0.8');
+  await tab.click('#panel-edit button[data-act="undo"]');
+  await tab.waitForFunction(() => document.querySelector('.offset').value === '-0.4');
   assert.deepEqual(faults, []);
 });
 

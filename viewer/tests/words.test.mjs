@@ -22,12 +22,15 @@ before(async () => {
 
 /** Every option of the core's tables. */
 const allOptions = () => [
-  ...tables.formats.flatMap((format) => [...format.read_options, ...format.write_options]),
+  ...tables.formats.flatMap(({read_options, write_options, adapt_options}) => [
+    ...read_options,
+    ...write_options,
+    ...adapt_options,
+  ]),
   ...tables.operations.flatMap(({form, flow_form}) =>
     [form, flow_form].flatMap((own) => own?.parameters ?? []),
   ),
   ...tables.warp_options,
-  ...tables.adapt_options,
 ];
 
 test('every operation, option and format of the core has its name and help in Japanese', () => {

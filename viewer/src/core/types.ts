@@ -102,6 +102,10 @@ export interface Description {
   height: Num;
   /** Which frame before the warp each frame shows; empty if the last step is no warp. */
   source_frames: number[];
+  /** The time of what was read, from its first frame on, that the first frame after all steps shows. */
+  source_start: number;
+  /** Of a flow: its poses in the order of its run, and the frame at which each begins. */
+  blocks: {frame: number; number: number; name: string}[];
 }
 
 /** One entry of a table of options. */
@@ -142,17 +146,21 @@ export interface FormatInfo {
   takes_skeleton: boolean;
   read_options: OptionInfo[];
   write_options: OptionInfo[];
+  /** Options of the conversion to it. */
+  adapt_options: OptionInfo[];
 }
 
 export interface Tables {
   formats: FormatInfo[];
   operations: OperationInfo[];
   warp_options: OptionInfo[];
-  adapt_options: OptionInfo[];
 }
 
+/** Words by the names of a table of options: true for a flag. */
+export type OptionWords = Record<string, string | string[] | boolean>;
+
 /** The words of a warp, by the names of the table of warp options. */
-export type WarpWords = Record<string, string | string[] | boolean>;
+export type WarpWords = OptionWords;
 
 /** A change of a document: an operation of the table, or a warp. */
 export type Step = {operation: string} | {warp: WarpWords};
@@ -273,9 +281,11 @@ export interface Questions {
   };
   marks: {ask: {handle: number}; answer: {marks: Mark[]}};
   contacts: {ask: {handle: number}; answer: {contacts: Contact[]; diagnostics: Diagnostic[]}};
+  /** The ZMP of each frame in the world, [frame][3]; empty where the data holds none. */
+  zmp: {ask: {handle: number}; answer: {points: Float64Array}};
   check: {ask: {handle: number}; answer: {diagnostics: Diagnostic[]}};
   write: {
-    ask: {handle: number; name: string; format?: string};
+    ask: {handle: number; name: string; format?: string; options?: OptionWords};
     answer: {files: WrittenFile[]; diagnostics: Diagnostic[]};
   };
   write_poses: {

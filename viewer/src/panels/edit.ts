@@ -4,7 +4,7 @@ import type {OperationForm, OperationInfo, Step} from '../core/types.ts';
 import {button, el} from '../elements.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
 import {fromCore, nameOf, t} from '../words.ts';
-import {compareWithOriginal} from './compare.ts';
+import {openOriginal} from './compare.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
@@ -144,7 +144,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     const redo = button(t('redo'), async () => tellRefusal(await actions.redo(motion), refusal), {
       disabled: undone.length === 0,
     });
-    const compare = button(t('compare'), () => compareWithOriginal(store, actions, motion), {
+    const compare = button(t('compare'), () => openOriginal(store, actions, motion), {
       title: t('compare_help'),
       disabled: steps.length === 0,
     });

@@ -2,7 +2,7 @@
 // Files to save: the motion in any format, tables of positions, the file as it was given, a
 // picture, and the command that does what was done here.
 import {isFailure} from '../core/core.ts';
-import type {Diagnostic, FormatInfo, WrittenFile} from '../core/types.ts';
+import type {Diagnostic, FormatInfo, OptionInfo, OptionWords, WrittenFile} from '../core/types.ts';
 import {button, el, offerFile} from '../elements.ts';
 import {extensionOf, stemOf} from '../paths.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
@@ -10,7 +10,8 @@ import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
-import {commandLine, formatOf, outputName} from './steps.ts';
+import {makeField} from './fields.ts';
+import {commandLine, formatOf, outputName, writingOf} from './steps.ts';
 
 /** A name with another extension. */
 const withExtension = (name: string, extension: string): string => stemOf(name) + extension;
@@ -25,6 +26,12 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
   const told = el('div', {class: 'told', attributes: {role: 'status'}});
   let format = '';
   let name = '';
+  /** What was entered for the options of each format. */
+  const entered = new Map<string, OptionWords>();
+  const formatNow = (): FormatInfo => written.find((own) => own.name === format)!;
+  const wordsNow = (): OptionWords => entered.get(format) ?? {};
+  const command = (motion: OpenMotion): string =>
+    commandLine(motion, name, writingOf(tables, formatNow(), wordsNow()));
 
   const tell = (text: string, diagnostics: Diagnostic[]) =>
     told.replaceChildren(
@@ -39,7 +46,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
 
   const save = async (motion: OpenMotion) => {
     const {handle} = motion;
-    const answer = await core.ask('write', {handle, name, format});
+    const answer = await core.ask('write', {handle, name, format, options: wordsNow()});
     if (isFailure(answer)) {
       const {error, diagnostics} = answer;
       tell(t('not_saved'), diagnostics.length > 0 ? diagnostics : [error]);
@@ -59,19 +66,48 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
     else offer(answer.files);
   };
 
+  /** The options of the chosen format, folded; `tell` is called after a change. */
+  const optionsPart = (tell: () => void): HTMLElement[] => {
+    const {write_options, adapt_options} = formatNow();
+    const infos = [...write_options, ...adapt_options];
+    if (infos.length === 0) return [];
+    const change = (info: OptionInfo, word: string) => {
+      const {[info.name]: _, ...others} = wordsNow();
+      const given = info.type === 'flag' ? true : word;
+      entered.set(format, word === '' ? others : {...others, [info.name]: given});
+      tell();
+    };
+    const fields = infos.map((info) => {
+      const given = wordsNow()[info.name] ?? '';
+      const field = makeField(info, given === true ? 'true' : String(given));
+      field.control.addEventListener('input', () => change(info, field.word()));
+      return field.root;
+    });
+    const isOpen = Object.keys(wordsNow()).length > 0;
+    return [
+      el('details', {class: 'write-options', open: isOpen}, [
+        el('summary', {}, [t('write_options')]),
+        ...fields,
+      ]),
+    ];
+  };
+
   const motionForm = (motion: OpenMotion): HTMLElement => {
-    const command = el('pre', {class: 'command', tabIndex: 0});
+    const shown = el('pre', {class: 'command', tabIndex: 0});
+    const options = el('div');
     const commandPart = el('section', {}, [
       el('h2', {}, [t('command_line')]),
       el('p', {class: 'hint'}, [t('command_line_help')]),
-      command,
-      copyButton('copy_command', () => commandLine(motion, name)),
+      shown,
+      copyButton('copy_command', () => command(motion)),
     ]);
     const showCommand = () => {
-      command.textContent = commandLine(motion, name);
+      shown.textContent = command(motion);
       // No command is needed to have the file as it is.
-      commandPart.hidden = motion.steps.length === 0 && motion.document.path.endsWith(name);
+      const isAsItIs = motion.steps.length === 0 && Object.keys(wordsNow()).length === 0;
+      commandPart.hidden = isAsItIs && motion.document.path.endsWith(name);
     };
+    const showOptions = () => options.replaceChildren(...optionsPart(showCommand));
     const nameField = el('input', {
       type: 'text',
       id: 'export-name',
@@ -91,8 +127,8 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
         on: {
           change: () => {
             format = select.value;
-            const [extension] = written.find((own) => own.name === format)!.extensions;
-            nameField.value = name = withExtension(name, extension);
+            nameField.value = name = withExtension(name, formatNow().extensions[0]);
+            showOptions();
             showCommand();
           },
         },
@@ -103,6 +139,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
         ]),
       ),
     );
+    showOptions();
     showCommand();
     return el(
       'form',
@@ -125,6 +162,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
           el('label', {htmlFor: nameField.id}, [t('export_name')]),
           nameField,
         ]),
+        options,
         el('button', {type: 'submit', class: 'primary'}, [t('save')]),
         told,
         commandPart,
@@ -146,7 +184,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
     const own = formatOf(tables, motion.document);
     if (!written.some((one) => one.name === format)) format = own?.is_written ? own.name : 'bvh';
     const isAsRead = format === own?.name;
-    const [first] = written.find((one) => one.name === format)!.extensions;
+    const [first] = formatNow().extensions;
     name = outputName(motion, isAsRead ? extensionOf(motion.document.path) : first);
     const tablesOfPoses = withPoses.map((one) =>
       button(one.extensions[0].slice(1).toUpperCase(), () => savePoses(motion, one), {

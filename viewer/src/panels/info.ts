@@ -3,12 +3,13 @@
 import type {Description, OptionInfo} from '../core/types.ts';
 import {el} from '../elements.ts';
 import {baseName, extensionOf} from '../paths.ts';
-import {activeMotion, type OpenMotion, type State} from '../state.ts';
+import {activeMotion, type OpenMotion, type State, withMotion} from '../state.ts';
 import {numFrames} from '../times.ts';
 import {fromCore, t} from '../words.ts';
 import {type PanelContext, whileOpen} from './context.ts';
 import {hintsOf} from './diagnostic.ts';
 import {makeField, selectOf} from './fields.ts';
+import {frontSelect} from './front.ts';
 import {angleUnit, inMetres, lengthUnit, shortNumber, unitName} from './numbers.ts';
 import {formatOf} from './steps.ts';
 
@@ -26,24 +27,14 @@ const lenientOption = (): OptionInfo => ({
   most: null,
 });
 
-type Fact = [label: string, value: string, note?: string];
+type Fact = [label: string, value: string | HTMLElement, note?: string];
 
 const kAxes = ['x', 'y', 'z'];
-
-/** A direction along an axis by its name, others as numbers. */
-function directionText({facing}: Description): string {
-  const {direction} = facing;
-  if (direction === null) return t('not_known');
-  const values = direction.map(Number);
-  const axis = values.findIndex((value) => Math.abs(value) > 0.999);
-  if (axis >= 0) return `${values[axis] > 0 ? '+' : '−'}${kAxes[axis]}`;
-  return values.map((value) => value.toFixed(2)).join(' ');
-}
 
 const certainty = (own: 'known' | 'clear' | 'doubtful', reason: string): string =>
   reason ? t('with_reason', t(`certainty_${own}`), fromCore(reason)) : t(`certainty_${own}`);
 
-function factsOf(document: Description): Fact[] {
+function factsOf(document: Description, front: HTMLElement): Fact[] {
   const {time, extent, up, facing, unit, height} = document;
   const rate = time.frame_time > 0 ? shortNumber(1 / time.frame_time) : t('not_known');
   const facts: Fact[] = [
@@ -66,7 +57,7 @@ function factsOf(document: Description): Fact[] {
     [t('fact_unit'), t('unit_is', size), certainty(unit.certainty, unit.reason)],
     [t('fact_angles'), angleUnit(document)],
     [t('fact_up'), kAxes[up.axis], certainty(up.certainty, up.reason)],
-    [t('fact_facing'), directionText(document), fromCore(facing.reason)],
+    [t('fact_facing'), front, fromCore(facing.reason)],
     [
       t('fact_height'),
       `${shortNumber(height)} ${lengthUnit(document)}`,
@@ -176,6 +167,11 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     return [el('h2', {}, [t('read_with')]), ...fields];
   };
 
+  const frontField = (motion: OpenMotion) =>
+    frontSelect(motion, (front) =>
+      store.set({motions: withMotion(store.state, motion.handle, {front})}),
+    );
+
   const draw = (state: Readonly<State>) => {
     const motion = activeMotion(state);
     if (motion === undefined) {
@@ -187,7 +183,7 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
     const options = (format?.read_options ?? []).filter(({type}) => type !== 'file');
     root.replaceChildren(
       el('h2', {}, [fromCore(format?.description ?? motion.document.format)]),
-      factList(factsOf(motion.document)),
+      factList(factsOf(motion.document, frontField(motion))),
       el('ul', {class: 'sentences'}, [
         ...motion.document.facts.map((fact) => el('li', {}, [fromCore(fact), ...hintsOf(fact)])),
         ...(motion.document.has_place ? [] : [el('li', {}, [t('stands_at_origin')])]),
@@ -203,7 +199,8 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
   let drawnFor: unknown[] = [];
   whileOpen(store, 'info', ['motions', 'active', 'language'], (state) => {
     const motion = activeMotion(state);
-    const wanted = [motion?.handle, motion?.document, state.language, core.paths.size];
+    const {handle, document, front} = motion ?? {};
+    const wanted = [handle, document, front, state.language, core.paths.size];
     if (wanted.every((value, index) => value === drawnFor[index])) return;
     drawnFor = wanted;
     draw(state);

@@ -141,6 +141,40 @@ export function drawContacts(
   });
 }
 
+/** Letters of Latin, and of Chinese and Japanese, are about so wide. */
+const kNarrow = 6.5;
+const kWide = 11;
+const kBlockSpace = 8;
+
+const widthOf = (text: string): number =>
+  [...text].reduce((sum, letter) => sum + (letter > '\u2e7f' ? kWide : kNarrow), 0);
+
+/** The poses of a flow where they begin, with their names where there is room. */
+export function drawBlocks(
+  motion: OpenMotion,
+  axis: TimeAxis,
+  width: number,
+  top: number,
+): SVGElement[] {
+  const drawn: SVGElement[] = [];
+  let free = -Infinity;
+  let last = -Infinity;
+  for (const {frame, number, name} of motion.document.blocks) {
+    const x = axis.x(secondsOf(motion, frame), width);
+    if (x < kLeft - 1 || x > width - kRight + 1 || x - last < 3) continue;
+    last = x;
+    const text = name || `#${number}`;
+    const parts: SVGElement[] = [svg('path', {class: 'tick', d: `M${x} ${top}v${kLaneHeight}`})];
+    const room = width - kRight - x;
+    if (x >= free && widthOf(text) < room) {
+      free = x + widthOf(text) + kBlockSpace;
+      parts.push(svg('text', {class: 'label', x: x + 3, y: top + kLaneHeight - 4}, [text]));
+    }
+    drawn.push(svg('g', {class: 'block'}, parts));
+  }
+  return drawn;
+}
+
 const kShapes: Record<Mark['kind'], string> = {
   spike: 'M0-5.5 5 4.5H-5z',
   flip: 'M0-6 5 0 0 6-5 0z',

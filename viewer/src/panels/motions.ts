@@ -3,7 +3,7 @@
 // beside each other.
 import type {Actions} from '../actions.ts';
 import {byId, el} from '../elements.ts';
-import {changesOf, fullName} from '../motionname.ts';
+import {changesOf, fullName, presenceText} from '../motionname.ts';
 import {
   activeMotion,
   type Link,
@@ -69,6 +69,18 @@ export function makeMotionList(store: Store, actions: Actions): void {
     return el('label', {class: 'offset-field'}, ['+', field, 's']);
   };
 
+  /** What tells of each motion that it is not shown now. */
+  const presences = new Map<number, HTMLElement>();
+  const tellPresence = () => {
+    for (const motion of store.state.motions) {
+      const own = presences.get(motion.handle);
+      const text = presenceText(motion, store.state.seconds);
+      if (own === undefined || own.textContent === text) continue;
+      own.textContent = text;
+      own.hidden = text === '';
+    }
+  };
+
   const row = (motion: OpenMotion, isOne: boolean): HTMLElement => {
     const {handle, title, isVisible, colour, document} = motion;
     const isActive = handle === store.state.active;
@@ -80,6 +92,9 @@ export function makeMotionList(store: Store, actions: Actions): void {
     ]);
     if (isActive) name.setAttribute('aria-current', 'true');
     name.addEventListener('click', () => store.set({active: handle, joint: -1}));
+    const presence = el('span', {class: 'tag presence', hidden: true});
+    presences.set(handle, presence);
+    name.append(presence);
     const show = iconButton(isVisible ? 'shown' : 'hidden', () =>
       change(handle, {isVisible: !isVisible}),
     );
@@ -122,6 +137,7 @@ export function makeMotionList(store: Store, actions: Actions): void {
     return el('label', {class: 'placement'}, [el('span', {}, [t('link')]), field]);
   };
 
+  store.on(['seconds', 'motions'], tellPresence);
   // Linked by frame number, all run at the frame rate of the first.
   store.on(['motions', 'link'], ({motions, link}) => {
     const paceOf = (motion: OpenMotion) =>
@@ -143,6 +159,7 @@ export function makeMotionList(store: Store, actions: Actions): void {
     const haveOneRate = motions.every(
       ({document}) => document.time.frame_time === first.document.time.frame_time,
     );
+    presences.clear();
     list.replaceChildren(
       el(
         'ul',
@@ -161,6 +178,7 @@ export function makeMotionList(store: Store, actions: Actions): void {
         ...(isOne ? [] : [el('span', {class: 'tag'}, [String(motions.length)])]),
       );
     }
+    tellPresence();
     section.hidden = motions.length === 0;
     if (index >= 0) list.querySelectorAll<HTMLElement>('button, input, select')[index]?.focus();
   });

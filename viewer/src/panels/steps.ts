@@ -5,6 +5,7 @@ import type {
   FormatInfo,
   OperationForm,
   OperationInfo,
+  OptionWords,
   Step,
   Tables,
   WarpWords,
@@ -102,51 +103,79 @@ function suffixOf(steps: Step[]): string {
 export const outputName = ({document, steps}: OpenMotion, extension?: string): string =>
   `${stemOf(document.path)}${suffixOf(steps)}${extension ?? extensionOf(document.path)}`;
 
-/** The words of the command that makes a file from what has been done: without steps, a conversion. */
-function lastCommand(
-  document: Description,
-  [input, out]: [string, string],
-  isPlayed: boolean,
-  isFirst: boolean,
-): string[] {
-  const servoMap = document.servo_map ? ['--servo-map', fileWord(document.servo_map)] : [];
-  return [
-    'kinefile',
-    isPlayed ? 'run' : 'convert',
-    fileWord(input),
-    ...(isPlayed ? servoMap : []),
-    ...readingWords(document, isFirst),
-    '-o',
-    fileWord(out),
-  ];
+/** How a file is written: words by the names of options. */
+export interface Writing {
+  words: OptionWords;
+  /** Whether only `convert` has all of them. */
+  isConversion: boolean;
 }
 
-/** The commands that do what was done to a motion, for a shell. */
-export function commandLine({document, steps}: OpenMotion, out: string): string {
+/** What `edit`, `warp` and `run` do not take of the options of a format, `convert` does. */
+export function writingOf(tables: Tables, format: FormatInfo, words: OptionWords): Writing {
+  const isOfConvert = (name: string) =>
+    format.adapt_options.some((own) => own.name === name) ||
+    tables.formats.some(({read_options}) => read_options.some((own) => own.name === name));
+  return {words, isConversion: Object.keys(words).some(isOfConvert)};
+}
+
+/** A command: its name and what follows its input. */
+interface Command {
+  name: 'edit' | 'warp' | 'run' | 'convert';
+  words: string[];
+  /** The extension of what it writes, where another command follows. */
+  extension: string;
+}
+
+/** The commands that do what was done to a motion, without names of files. */
+function commandsOf(
+  {document, steps}: OpenMotion,
+  out: string,
+  {isConversion}: Writing,
+): Command[] {
   const extension = extensionOf(document.path);
-  const runs = runsOf(steps);
+  const commands = runsOf(steps).map((run): Command => {
+    if ('warp' in run) return {name: 'warp', words: optionWords(run.warp), extension};
+    return {name: 'edit', words: run.edit.map(quoted), extension};
+  });
   // Operations keep the kind of a file; what a flow's robot does is another file.
   const isPlayed = document.kind === 'pose_flow' && extensionOf(out) !== extension;
-  const between = (index: number) => `${stemOf(document.path)}.step${index + 1}${extension}`;
-  const inputOf = (index: number) => (index === 0 ? document.path : between(index - 1));
-  const commands = runs.map((run, index) => {
-    const isLast = index === runs.length - 1 && !isPlayed;
-    return [
-      'kinefile',
-      'warp' in run ? 'warp' : 'edit',
-      fileWord(inputOf(index)),
-      ...('warp' in run ? optionWords(run.warp) : run.edit.map(quoted)),
-      ...readingWords(document, index === 0),
-      '-o',
-      fileWord(isLast ? out : between(index)),
-    ].join(' ');
-  });
-  if (runs.length === 0 || isPlayed) {
-    commands.push(
-      lastCommand(document, [inputOf(runs.length), out], isPlayed, runs.length === 0).join(' '),
-    );
+  if (isPlayed) {
+    const map = document.servo_map ? ['--servo-map', fileWord(document.servo_map)] : [];
+    commands.push({name: 'run', words: map, extension: extensionOf(out)});
   }
-  return commands.join(' &&\n');
+  if (commands.length === 0 || isConversion) {
+    commands.push({name: 'convert', words: [], extension});
+  }
+  return commands;
+}
+
+const kPlain: Writing = {words: {}, isConversion: false};
+
+/** The commands that do what was done to a motion, for a shell. */
+export function commandLine(motion: OpenMotion, out: string, writing: Writing = kPlain): string {
+  const {document} = motion;
+  const commands = commandsOf(motion, out, writing);
+  let input = document.path;
+  const lines = commands.map(({name, words, extension}, index) => {
+    const isLast = index === commands.length - 1;
+    const output = isLast ? out : `${stemOf(document.path)}.step${index + 1}${extension}`;
+    // What a flow's robot does is no flow, and needs no project.
+    const isMotion = commands.slice(0, index).some((earlier) => earlier.name === 'run');
+    const read = isMotion ? {...document, project: ''} : document;
+    const line = [
+      'kinefile',
+      name,
+      fileWord(input),
+      ...words,
+      ...readingWords(read, index === 0),
+      ...(isLast ? optionWords(writing.words) : []),
+      '-o',
+      fileWord(output),
+    ];
+    input = output;
+    return line.join(' ');
+  });
+  return lines.join(' &&\n');
 }
 
 /** The format of a document, in the table. */

@@ -17,6 +17,7 @@ import {t} from '../words.ts';
 import type {TimeAxis} from './axis.ts';
 import {titled} from './icons.ts';
 import {
+  drawBlocks,
   drawContacts,
   drawLane,
   drawMarks,
@@ -213,7 +214,8 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     titled(unitButton, t(unit === 'frames' ? 'ruler_frames' : 'ruler_seconds'));
     width = drawing.clientWidth || width;
     const hasMarks = marks.all.length > 0;
-    const lanesTop = kRulerHeight + (hasMarks ? kMarksHeight : 2);
+    const blocksTop = kRulerHeight + (hasMarks ? kMarksHeight : 2);
+    const lanesTop = blocksTop + (motion.document.blocks.length > 0 ? kLaneHeight : 0);
     height = lanesTop + motions.length * kLaneHeight + 4;
     drawing.setAttribute('height', String(height));
     drawing.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -221,6 +223,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     redraw(drawing, [
       svg('rect', {class: 'ground', x: 0, y: 0, width, height, 'data-grip': 'playhead'}),
       ...drawRuler(motion, axis, width, height, unit),
+      ...drawBlocks(motion, axis, width, blocksTop),
       ...motions.map((one) =>
         drawLane(one, axis, width, top(one), one.handle === active, motions.length > 1),
       ),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Playing, stepping, speed, repeating; the readouts of frame and time.
 import {byId, el} from '../elements.ts';
+import {presenceText} from '../motionname.ts';
 import {goToFrame, kSpeeds, setSpeed, step} from '../playback.ts';
 import {activeMotion, type OpenMotion, type Store} from '../state.ts';
 import {canWarp, numFrames, ownSeconds, shownFrame} from '../times.ts';
@@ -17,12 +18,13 @@ export const focusFrame = (): void => {
 };
 
 /** The frame before the warp, and the number in the file, where they differ from the frame. */
-function otherNumbers(motion: OpenMotion, frame: number): string {
+function otherNumbers(motion: OpenMotion, frame: number, seconds: number): string {
   const {time, source_frames} = motion.document;
   const own = frame + time.first_frame_number;
   return [
     own === frame ? '' : t('own_frame', own),
     frame < source_frames.length ? t('source_frame', numberText(source_frames[frame])) : '',
+    presenceText(motion, seconds),
   ]
     .filter((text) => text !== '')
     .join('  ');
@@ -136,7 +138,7 @@ export function makeTransport(store: Store, marks: Marks, openWarp: () => void):
     titled(warp, t(document.has_frames ? 'warp_hint' : 'warp_no_frames'));
     const frame = shownFrame(motion, state.seconds);
     readout.textContent = readoutText(motion, state.seconds);
-    others.textContent = otherNumbers(motion, frame);
+    others.textContent = otherNumbers(motion, frame, state.seconds);
   });
   marks.onChange(() => {
     previousMark.hidden = nextMark.hidden = marks.all.length === 0;

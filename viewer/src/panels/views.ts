@@ -6,7 +6,7 @@ import type {Camera, Shown, Store} from '../state.ts';
 import {t} from '../words.ts';
 
 const kCameras: Camera[] = ['orbit', 'follow', 'front', 'side', 'top'];
-const kShown: (keyof Shown)[] = ['ghosts', 'paths', 'contacts', 'axes', 'names', 'shapes'];
+const kShown: (keyof Shown)[] = ['ghosts', 'paths', 'contacts', 'zmp', 'axes', 'names', 'shapes'];
 
 /** Makes the toolbar; a toggle is there only where there is something to show. */
 export function makeViews(store: Store, scene: Scene): void {

@@ -6,10 +6,11 @@ import type {Tables} from '../core/types.ts';
 import {byId, el} from '../elements.ts';
 import {notify} from '../notify.ts';
 import {goToFrame} from '../playback.ts';
-import {activeMotion, type OpenMotion, type Store, withMotion} from '../state.ts';
+import {activeMotion, type OpenMotion, type Store} from '../state.ts';
 import {canWarp, shownFrame} from '../times.ts';
 import {t} from '../words.ts';
 import type {TimeAxis} from './axis.ts';
+import {openOriginal} from './compare.ts';
 import {arrowStep, type Grip, svg, useGrips} from './svg.ts';
 import {makeWarpControls} from './warpcontrols.ts';
 import {makeWarping} from './warping.ts';
@@ -43,6 +44,7 @@ export function makeWarpEditor(
     selected,
     numOld: warping.numOld,
     isRefused: warping.fault !== '',
+    refused: warping.refusedOptions.length > 0 ? [] : warping.keys.filter(warping.isRefused),
   });
   const current = (): {map: WarpMap; scale: WarpScale} | null => {
     const motion = activeMotion(store.state);
@@ -59,10 +61,14 @@ export function makeWarpEditor(
   const look = (key: Key) => goToFrame(store, Math.round(key.to));
 
   const replace = (index: number, key: Key) => {
-    const held = {from: Math.max(0, key.from), to: Math.max(0, key.to)};
-    warping.set({keys: warping.keys.map((old, at) => (at === index ? held : old))}).then(() => {
+    warping.set({keys: warping.keys.map((old, at) => (at === index ? key : old))}).then(() => {
       if (warping.keys[index] !== undefined) look(warping.keys[index]);
     });
+  };
+  /** A key that is moved stays in the map; one whose numbers are typed may be refused. */
+  const move = (index: number, {from, to}: Key) => {
+    const last = warping.numOld - 1;
+    replace(index, {from: Math.max(0, Math.min(last, from)), to: Math.max(0, to)});
   };
   const remove = () => {
     if (warping.keys[selected] === undefined) return;
@@ -114,11 +120,11 @@ export function makeWarpEditor(
           if (Math.abs(right) > Math.abs(down)) down = 0;
           else right = 0;
         }
-        const {scale, map} = now;
+        const {scale} = now;
         const snapped = (frame: number) => (event.altKey ? frame : Math.round(frame));
         const old = scale.from(scale.y(from.from) + down);
-        replace(index, {
-          from: Math.min(map.numOld - 1, down === 0 ? from.from : snapped(old)),
+        move(index, {
+          from: down === 0 ? from.from : snapped(old),
           to: right === 0 ? from.to : snapped(scale.to(scale.x(from.to) + right)),
         });
       },
@@ -132,9 +138,9 @@ export function makeWarpEditor(
         const across = arrowStep(event);
         if (selected !== index) select(index);
         if (event.key === 'Delete' || event.key === 'Backspace') remove();
-        else if (across !== 0) replace(index, {from: key.from, to: key.to + across});
-        else if (event.key === 'ArrowUp') replace(index, {from: key.from + far, to: key.to});
-        else if (event.key === 'ArrowDown') replace(index, {from: key.from - far, to: key.to});
+        else if (across !== 0) move(index, {from: key.from, to: key.to + across});
+        else if (event.key === 'ArrowUp') move(index, {from: key.from + far, to: key.to});
+        else if (event.key === 'ArrowDown') move(index, {from: key.from - far, to: key.to});
         else return false;
         return true;
       },
@@ -199,18 +205,6 @@ export function makeWarpEditor(
     if (isSideOpen && kPhone.matches) store.set({isWarping: false});
   });
 
-  /** The original stays beside its warp: it is opened once more, and the new one is warped. */
-  const openBeside = async (motion: OpenMotion) => {
-    const twin = await actions.openPath(motion.document.path, motion.document);
-    if (twin === null) return;
-    const {offset, placement, steps} = motion;
-    store.set({
-      motions: withMotion(store.state, twin.handle, {offset, placement}),
-      active: twin.handle,
-    });
-    if (steps.length > 0) await actions.setSteps(twin, steps);
-  };
-
   return {
     async toggle() {
       const motion = activeMotion(store.state);
@@ -222,7 +216,7 @@ export function makeWarpEditor(
         (other) => other === motion || other.document.path !== path,
       );
       const isWarped = warpOf(motion.steps).before.length < motion.steps.length;
-      if (isAlone && !isWarped) await openBeside(motion);
+      if (isAlone && !isWarped) await openOriginal(store, actions, motion, motion.steps);
       store.set({isWarping: true});
     },
   };

@@ -18,6 +18,9 @@ const kNotControls = new Set(['key', 'seconds']);
 /** Eases that are offered; others can be typed. */
 const kEases = ['smooth', 'smoother', 'in', 'out', 'in-out', 'in:3', 'bezier:0.4,0,0.6,1'];
 
+/** The message that the fields are described by. */
+const kFault = 'warp-fault';
+
 /** What the controls do with keys. */
 export interface KeyActions {
   add(): void;
@@ -89,13 +92,17 @@ export function makeWarpControls(
   const copyButton = iconAction('copy', 'warp_copy', () => copyCommand());
   const saveButton = iconAction('save', 'warp_save', () => save());
   const numbers = {from: el('input'), to: el('input')};
+  /** Fields of the selected key with what is no number. */
+  let misread: HTMLInputElement[] = [];
+  let shownKey: Key | undefined;
   for (const field of [numbers.from, numbers.to]) {
     Object.assign(field, {type: 'number', step: 'any', min: '0', className: 'key-number'});
+    field.setAttribute('aria-describedby', kFault);
     field.addEventListener('change', () => {
-      const key = {from: Number(numbers.from.value), to: Number(numbers.to.value)};
-      if (Number.isFinite(key.from) && Number.isFinite(key.to)) {
-        keyActions.replace(keyActions.selected(), key);
-      }
+      const key = {from: numbers.from.valueAsNumber, to: numbers.to.valueAsNumber};
+      misread = [numbers.from, numbers.to].filter((own) => Number.isNaN(own.valueAsNumber));
+      if (misread.length > 0) show();
+      else keyActions.replace(keyActions.selected(), key);
     });
   }
   const keyNumbers = el('span', {class: 'key-numbers'}, [
@@ -109,8 +116,9 @@ export function makeWarpControls(
   const more = el('details', {class: 'warp-more'}, [labelled(el('summary'), 'warp_options')]);
   const moreOptions = el('div', {class: 'warp-options'});
   more.append(moreOptions);
-  const fault = el('p', {class: 'warp-fault', role: 'alert', hidden: true});
+  const fault = el('p', {id: kFault, class: 'warp-fault', role: 'alert', hidden: true});
   const hint = labelled(el('p', {class: 'warp-help'}), 'warp_help');
+  const notes = el('div', {class: 'warp-notes'}, [hint]);
 
   const save = () =>
     withActive(async (motion) => {
@@ -157,7 +165,9 @@ export function makeWarpControls(
     controls.push({option, field});
     const label = el('span', {class: option.name === 'tail' ? 'wide' : ''});
     const isFirst = option.name === 'tail';
-    (isFirst ? options : moreOptions).append(el('label', {}, [label, field]));
+    field.setAttribute('aria-describedby', kFault);
+    const place = el('span', {class: 'warp-field'}, [el('label', {}, [label, field])]);
+    (isFirst ? options : moreOptions).append(place);
     store.on(['language'], () => {
       label.textContent = translated(`warp_${wordOf(option.name)}`, option.name);
       titled(field, `${label.textContent}: ${fromCore(option.help)}`);
@@ -175,6 +185,28 @@ export function makeWarpControls(
     if (!kNotControls.has(option.name)) addControl(option);
   }
 
+  /** Shows what is wrong at the field that it is about; else over the map. */
+  const showFault = (key: Key | undefined) => {
+    const refused = controls.filter(({option}) => warping.refusedOptions.includes(option.name));
+    const isOfKey = misread.length > 0 || (refused.length === 0 && warping.fault !== '');
+    const isBadKey = isOfKey && key !== undefined && warping.isRefused(key);
+    for (const field of [numbers.from, numbers.to]) {
+      field.setAttribute('aria-invalid', String(isBadKey || misread.includes(field)));
+    }
+    for (const control of controls) {
+      control.field.setAttribute('aria-invalid', String(refused.includes(control)));
+    }
+    const text = misread.length > 0 ? t('warp_no_number') : fromCore(warping.fault);
+    if (fault.textContent !== text) fault.textContent = text;
+    fault.hidden = text === '';
+    const option = misread.length > 0 ? undefined : refused[0]?.field;
+    if (option !== undefined && moreOptions.contains(option)) more.open = true;
+    const ofKey = key === undefined || fault.hidden ? notes : keyNumbers;
+    const place = option?.closest<HTMLElement>('.warp-field') ?? ofKey;
+    if (fault.parentElement !== place) place.append(fault);
+    fault.classList.toggle('hangs', place !== notes && !moreOptions.contains(place));
+  };
+
   const show = () => {
     const motion = activeMotion(store.state);
     if (motion === undefined) return;
@@ -184,9 +216,14 @@ export function makeWarpControls(
     const key = warping.keys[keyActions.selected()];
     removeKey.disabled = key === undefined;
     keyNumbers.hidden = key === undefined;
+    if (key !== shownKey) misread = [];
+    shownKey = key;
+    numbers.from.max = String(warping.numOld - 1);
+    titled(numbers.from, t('warp_old_frame_to', warping.numOld - 1));
     if (key !== undefined) {
       for (const name of ['from', 'to'] as const) {
-        if (document.activeElement !== numbers[name]) numbers[name].value = numberText(key[name]);
+        const isLeft = document.activeElement === numbers[name] || misread.includes(numbers[name]);
+        if (!isLeft) numbers[name].value = numberText(key[name]);
       }
     }
     for (const {option, field} of controls) {
@@ -197,10 +234,9 @@ export function makeWarpControls(
         field.value = typeof word === 'string' ? word : option.default;
       }
     }
-    fault.textContent = warping.fault;
-    fault.hidden = warping.fault === '';
+    showFault(key);
     // What is shown is then the last warp that was taken, which is not what the controls say.
-    saveButton.disabled = copyButton.disabled = warping.fault !== '';
+    saveButton.disabled = copyButton.disabled = !fault.hidden;
     hint.hidden = warping.keys.length > 0 || !fault.hidden;
   };
 
@@ -210,7 +246,6 @@ export function makeWarpControls(
     titled(redo, t('redo'));
     titled(removeKey, t('warp_remove'));
     titled(close, t('close'));
-    titled(numbers.from, t('warp_old_frame'));
     titled(numbers.to, t('warp_new_frame'));
     show();
   });
@@ -226,7 +261,7 @@ export function makeWarpControls(
       el('span', {class: 'group end'}, [undo, redo, copyButton, saveButton]),
       close,
     ]),
-    notes: el('div', {class: 'warp-notes'}, [hint, fault]),
+    notes,
     show,
   };
 }

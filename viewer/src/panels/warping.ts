@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The warp that is being made: its words and keys, and how they reach the core. One question at a
-// time: while the core works, the latest wish waits and earlier ones are dropped.
+// The warp that is being made: its words and keys, and how they reach the core.
 import type {Actions} from '../actions.ts';
 import type {Step, WarpWords} from '../core/types.ts';
 import {activeMotion, type OpenMotion, type Store} from '../state.ts';
-import {type Key, keysOf, warpOf, wordsWith} from './warpwords.ts';
+import {latestOnly} from './latest.ts';
+import {isSameKey, type Key, keysOf, warpOf, wordsWith} from './warpwords.ts';
 
 export interface Warping {
   readonly keys: readonly Key[];
@@ -12,6 +12,10 @@ export interface Warping {
   readonly before: Step[];
   /** What the core says against the words; empty: nothing. */
   readonly fault: string;
+  /** The options that differ from those that the core last took, while there is a fault. */
+  readonly refusedOptions: string[];
+  /** Whether there is a fault, and a key is none of those that the core last took. */
+  isRefused(key: Key): boolean;
   /** How many frames the active motion had before the warp. */
   readonly numOld: number;
   /** Changes keys or words, and asks for the motion. */
@@ -33,8 +37,6 @@ export function makeWarping(store: Store, actions: Actions): Warping {
   let seen: {handle: number; steps: Step[]} | null = null;
   /** The drag that goes on, and whether the core has taken one of its changes. */
   let drag: {isTaken: boolean} | null = null;
-  let wanted: {of: {isTaken: boolean} | null} | null = null;
-  let running: Promise<void> | null = null;
   const listeners: (() => void)[] = [];
   const tell = () => {
     for (const listener of listeners) listener();
@@ -56,24 +58,28 @@ export function makeWarping(store: Store, actions: Actions): Warping {
     fault = '';
   };
 
-  const ask = async () => {
-    while (wanted !== null) {
-      const {of} = wanted;
-      wanted = null;
-      const motion = activeMotion(store.state);
-      if (motion === undefined) return;
-      const {before} = warpOf(motion.steps);
-      const steps = keys.length === 0 ? before : [...before, {warp: wordsWith(words, [...keys])}];
-      if (JSON.stringify(steps) === JSON.stringify(motion.steps)) {
-        fault = '';
-        continue;
-      }
-      seen = {handle: motion.handle, steps};
-      const failure = await actions.trySteps(motion, steps, of?.isTaken);
-      fault = failure === null ? '' : failure.error.message;
-      if (failure === null && of !== null) of.isTaken = true;
-      if (failure !== null) seen = {handle: motion.handle, steps: motion.steps};
+  const ask = latestOnly(async (of: {isTaken: boolean} | null) => {
+    const motion = activeMotion(store.state);
+    if (motion === undefined) return;
+    const {before} = warpOf(motion.steps);
+    const steps = keys.length === 0 ? before : [...before, {warp: wordsWith(words, [...keys])}];
+    if (JSON.stringify(steps) === JSON.stringify(motion.steps)) {
+      fault = '';
+      return;
     }
+    seen = {handle: motion.handle, steps};
+    const failure = await actions.trySteps(motion, steps, of?.isTaken);
+    fault = failure === null ? '' : failure.error.message;
+    if (failure === null && of !== null) of.isTaken = true;
+    if (failure !== null) seen = {handle: motion.handle, steps: motion.steps};
+  });
+
+  /** What the core last took. */
+  const taken = (): {keys: Key[]; words: WarpWords} => {
+    const motion = activeMotion(store.state);
+    if (motion === undefined) return {keys: [], words: {}};
+    const last = warpOf(motion.steps).words;
+    return {keys: keysOf(last, motion.document.time.frame_time), words: last};
   };
 
   store.on(['motions', 'active'], (state) => {
@@ -105,6 +111,13 @@ export function makeWarping(store: Store, actions: Actions): Warping {
     get fault() {
       return fault;
     },
+    get refusedOptions() {
+      if (fault === '') return [];
+      const last = taken().words;
+      const names = new Set([...Object.keys(words), ...Object.keys(last)]);
+      return [...names].filter((name) => name !== 'key' && words[name] !== last[name]);
+    },
+    isRefused: (key) => fault !== '' && !taken().keys.some((own) => isSameKey(own, key)),
     get numOld() {
       const motion = activeMotion(store.state);
       return motion === undefined ? 1 : lengthBefore(motion);
@@ -112,14 +125,8 @@ export function makeWarping(store: Store, actions: Actions): Warping {
     async set(change) {
       keys = change.keys ?? keys;
       words = change.words ?? words;
-      wanted = {of: drag};
       tell();
-      if (running === null) {
-        running = ask().finally(() => {
-          running = null;
-        });
-      }
-      await running;
+      await ask(drag);
       tell();
     },
     beginDrag() {

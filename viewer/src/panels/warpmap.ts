@@ -25,6 +25,8 @@ export interface WarpMap {
   numOld: number;
   /** Whether the core refused these keys: the map is the last good one. */
   isRefused: boolean;
+  /** Those of the keys that were refused. */
+  refused: readonly Key[];
 }
 
 /** Frames to pixels, and back. */
@@ -102,14 +104,30 @@ function grid(map: WarpMap, axis: TimeAxis, scale: WarpScale, width: number, hei
   return drawn;
 }
 
+/** Where a key is drawn; one that was refused stands at the edge of the map that it is beyond. */
+function placeOf(map: WarpMap, scale: WarpScale, key: Key, width: number): [number, number] {
+  const [x, y] = [scale.x(key.to), scale.y(key.from)];
+  if (!map.refused.includes(key)) return [x, y];
+  return [
+    Math.max(kLeft, Math.min(width - kRight, x)),
+    Math.max(scale.y(map.numOld - 1), Math.min(scale.y(0), y)),
+  ];
+}
+
 /** A key: a handle that is large enough for a finger. */
-function keyHandle(map: WarpMap, scale: WarpScale, key: Key, index: number): SVGElement {
+function keyHandle(map: WarpMap, [x, y]: [number, number], key: Key, index: number): SVGElement {
   const text = `${numberText(key.from)} → ${numberText(key.to)}`;
   return svg(
     'g',
     {
-      class: index === map.selected ? 'key selected' : 'key',
-      transform: `translate(${scale.x(key.to).toFixed(1)} ${scale.y(key.from).toFixed(1)})`,
+      class: [
+        'key',
+        index === map.selected ? 'selected' : '',
+        map.refused.includes(key) ? 'refused' : '',
+      ]
+        .filter(Boolean)
+        .join(' '),
+      transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
       ...sliderAttributes(
         `key:${index}`,
         t('warp_key_label', index + 1),
@@ -164,8 +182,9 @@ export function drawWarpMap(
       'clip-path': `url(#${kClip})`,
     }),
     playhead,
-    ...map.keys.flatMap((key, index) =>
-      scale.x(key.to) < kLeft - 1 ? [] : [keyHandle(map, scale, key, index)],
-    ),
+    ...map.keys.flatMap((key, index) => {
+      const place = placeOf(map, scale, key, width);
+      return place[0] < kLeft - 1 ? [] : [keyHandle(map, place, key, index)];
+    }),
   ]);
 }

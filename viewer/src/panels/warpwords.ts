@@ -14,12 +14,18 @@ const kDecimals = 1000;
 export const numberText = (value: number): string =>
   String(Math.round(value * kDecimals) / kDecimals);
 
+/** A key as a word of the command. */
+const keyText = ({from, to}: Key): string => `${numberText(from)}:${numberText(to)}`;
+
 /** The last step if it is a warp, otherwise a new one; and the steps before it. */
 export function warpOf(steps: Step[]): {before: Step[]; words: WarpWords} {
   const last = steps[steps.length - 1];
   if (last !== undefined && 'warp' in last) return {before: steps.slice(0, -1), words: last.warp};
   return {before: steps, words: {}};
 }
+
+/** Whether two keys are written alike. */
+export const isSameKey = (one: Key, other: Key): boolean => keyText(one) === keyText(other);
 
 /** The keys of a warp, in frames. */
 export function keysOf(words: WarpWords, frameTime: number): Key[] {
@@ -36,5 +42,5 @@ export function keysOf(words: WarpWords, frameTime: number): Key[] {
 /** The words with other keys. */
 export function wordsWith(words: WarpWords, keys: Key[]): WarpWords {
   const {seconds: _, ...others} = words;
-  return {...others, key: keys.map(({from, to}) => `${numberText(from)}:${numberText(to)}`)};
+  return {...others, key: keys.map(keyText)};
 }

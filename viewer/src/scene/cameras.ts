@@ -14,6 +14,12 @@ export interface View {
   halfHeight: number;
 }
 
+/** How much of the picture's height is covered, in parts, from its top and from its bottom. */
+export interface Cover {
+  top: number;
+  bottom: number;
+}
+
 export interface Cameras {
   readonly current: AnyCamera;
   readonly target: THREE.Vector3;
@@ -27,8 +33,8 @@ export interface Cameras {
    * where it was, or, anew, to where it looks at first.
    */
   setView(view: Camera, facing: THREE.Vector3, anew?: boolean): void;
-  /** Moves so that a box fills the picture, without turning. */
-  frame(box: THREE.Box3): void;
+  /** Moves so that a box fills the picture, or what is not covered of it, without turning. */
+  frame(box: THREE.Box3, cover?: Cover): void;
   /** Moves the camera along with a point, when it follows. */
   moveTo(target: THREE.Vector3): void;
   /** Fits near and far to a scene that reaches so far from the target. */
@@ -184,10 +190,14 @@ export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Ca
       }
       place(current === perspective ? freely : directionOf(view, facing), half);
     },
-    frame(box) {
+    frame(box, {top, bottom} = {top: 0, bottom: 0}) {
       const from = direction();
+      const free = 1 - top - bottom;
+      const half = halfHeightFor(box, current, aspect / free) / free;
       box.getCenter(target);
-      place(from, halfHeightFor(box, current, aspect));
+      place(from, half);
+      const aside = new THREE.Vector3(0, half * (top - bottom), 0);
+      this.moveTo(aside.applyQuaternion(current.quaternion).add(target));
       isMoved = false;
     },
     moveTo(point) {

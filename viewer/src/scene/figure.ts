@@ -24,6 +24,10 @@ export interface Figure {
   redescribe(document: Description): void;
   /** Its colour, and how much of it the shapes with a colour of their own take, 0 to 1. */
   paint(colour: string, tint: number): void;
+  /** Draws it faint, as one that is not there at this time. */
+  fade(isFaint: boolean): void;
+  /** Where figures are one in the other, that of the higher rank is seen. */
+  lift(rank: number): void;
   /** Marks a joint; -1: none. */
   select(joint: number): void;
   /** Shows a robot's shapes, if it has some, or its bones. */
@@ -60,6 +64,8 @@ export function sizeOf(document: Description, box: THREE.Box3): number {
 /** How far figures reach beyond the middles of joints, relative to their size: bones, and shapes. */
 const kSkin = 0.06;
 const kMostSkin = 0.12;
+/** The opacity of a figure before its motion begins, and after it. */
+const kFaint = 0.3;
 /** How much darker balls are than bones. */
 const kBallShade = 0.72;
 /** A link whose shapes are smaller, relative to the figure, is told by its bones, too. */
@@ -165,6 +171,18 @@ export function makeFigure(document: Description, opacity = 1): Figure {
       own = new THREE.Color(colour);
       tint = given;
       repaint();
+    },
+    fade(isFaint) {
+      material.transparent = isGhost || isFaint;
+      material.opacity = isFaint ? kFaint : opacity;
+      material.needsUpdate = true;
+      for (const mesh of meshes) {
+        if (mesh !== skeleton.balls) mesh.castShadow = !isGhost && !isFaint;
+      }
+    },
+    lift(rank) {
+      material.polygonOffset = rank > 0;
+      material.polygonOffsetFactor = material.polygonOffsetUnits = -rank;
     },
     select(joint) {
       if (joint === selected) return;

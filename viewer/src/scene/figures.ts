@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import type {Description} from '../core/types.ts';
 import type {FramePoses, PoseCache} from '../poses.ts';
 import type {OpenMotion} from '../state.ts';
-import {shownFrame} from '../times.ts';
+import {presenceOf, shownFrame} from '../times.ts';
 import {boxOfPoses, type Figure, makeFigure} from './figure.ts';
 import {boxOf, sceneFromFile} from './placement.ts';
 
@@ -14,6 +14,8 @@ export interface Drawn {
   figure: Figure;
   /** The frame that the figure shows; -1: none of this version of the motion. */
   frame: number;
+  /** Whether it is drawn faint: its motion has not begun, or is over. */
+  isFaint: boolean;
   offset: THREE.Vector3;
 }
 
@@ -76,7 +78,7 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
     if (known !== undefined) remove(known);
     const figure = makeFigure(motion.document);
     scene.add(figure.root);
-    const made = {motion, figure, frame: -1, offset: new THREE.Vector3()};
+    const made = {motion, figure, frame: -1, isFaint: false, offset: new THREE.Vector3()};
     all.set(motion.handle, made);
     return made;
   };
@@ -96,6 +98,7 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
         own.offset.copy(offsets[index]);
         const {figure} = own;
         figure.root.visible = motion.isVisible;
+        figure.lift(index);
         figure.root.matrix.copy(sceneFromFile(motion.document)).setPosition(own.offset);
         figure.root.matrixWorldNeedsUpdate = true;
         figure.paint(motion.colour, motions.length > 1 ? kStrongTint : kTint);
@@ -106,6 +109,12 @@ export function makeFigures(scene: THREE.Scene, poses: PoseCache): Figures {
       let isMoved = false;
       for (const own of all.values()) {
         if (!own.motion.isVisible) continue;
+        const isFaint = presenceOf(own.motion, seconds) !== 'now';
+        if (isFaint !== own.isFaint) {
+          own.isFaint = isFaint;
+          own.figure.fade(isFaint);
+          isMoved = true;
+        }
         const frame = shownFrame(own.motion, seconds);
         if (frame === own.frame) continue;
         const pose = given?.get(own.motion.handle) ?? poses.at(own.motion, frame);

@@ -5,6 +5,7 @@ import {numFrames} from '../times.ts';
 import type {Contacts} from './contacts.ts';
 import type {Figures} from './figures.ts';
 import {hasShapes} from './shapes.ts';
+import type {ZmpMarks} from './zmp.ts';
 
 export interface Offers {
   readonly now: Shown;
@@ -17,12 +18,13 @@ const kNothing: Shown = {
   ghosts: false,
   paths: false,
   contacts: false,
+  zmp: false,
   axes: false,
   names: false,
   shapes: false,
 };
 
-export function makeOffers(contacts: Contacts): Offers {
+export function makeOffers(contacts: Contacts, zmp: ZmpMarks): Offers {
   let now = kNothing;
   const listeners: (() => void)[] = [];
   return {
@@ -37,6 +39,7 @@ export function makeOffers(contacts: Contacts): Offers {
         ghosts: moves,
         paths: moves,
         contacts: drawn.filter(({motion}) => contacts.has(motion)).length > 0,
+        zmp: drawn.filter(({motion}) => zmp.has(motion)).length > 0,
         axes: motions.length > 0,
         names: motions.length > 0,
         shapes: motions.some(({document}) => hasShapes(document)),

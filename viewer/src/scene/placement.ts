@@ -35,11 +35,22 @@ export function boxOf(document: Description): THREE.Box3 {
   return box.applyMatrix4(sceneFromFile(document));
 }
 
+/** The direction that a person chose, in the file; null: none, or it is not along the ground. */
+function chosenFront({document, front}: Facing): number[] | null {
+  const axis = front === null ? -1 : 'xyz'.indexOf(front[1]);
+  if (front === null || axis === document.up.axis) return null;
+  return [0, 1, 2].map((k) => (k === axis ? Number(`${front[0]}1`) : 0));
+}
+
+type Facing = Pick<OpenMotion, 'document' | 'front'>;
+
 /** The direction that the figure faces, in the scene; the scene's +z where that is not known. */
-export function facingOf(document: Description | undefined): THREE.Vector3 {
-  const direction = document?.facing.direction ?? null;
-  if (document === undefined || direction === null) return new THREE.Vector3(0, 0, 1);
-  const facing = new THREE.Vector3(...direction.map(Number)).applyQuaternion(uprightOf(document));
+export function facingOf(motion: Facing | undefined): THREE.Vector3 {
+  const found = motion?.document.facing.direction ?? null;
+  const direction = (motion && chosenFront(motion)) ?? found;
+  if (motion === undefined || direction === null) return new THREE.Vector3(0, 0, 1);
+  const upright = uprightOf(motion.document);
+  const facing = new THREE.Vector3(...direction.map(Number)).applyQuaternion(upright);
   facing.y = 0;
   return facing.lengthSq() > 1e-9 ? facing.normalize() : new THREE.Vector3(0, 0, 1);
 }

@@ -5,10 +5,11 @@ import * as THREE from 'three';
 import type {Core} from '../core/core.ts';
 import {byId} from '../elements.ts';
 import type {FramePoses, PoseCache} from '../poses.ts';
-import {activeMotion, type Store} from '../state.ts';
+import {activeMotion, type Front, type Store} from '../state.ts';
 import {makeAxes} from './axes.ts';
 import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
+import {coverOf} from './cover.ts';
 import {type Figures, makeFigures} from './figures.ts';
 import {cellSize} from './floor.ts';
 import {floorHeight, follow, framedBox} from './framing.ts';
@@ -20,6 +21,7 @@ import {jointOfPath, makePaths} from './paths.ts';
 import {facingOf, makeStarts, offsetsOf} from './placement.ts';
 import {makeScale} from './scale.ts';
 import {makeStage, type Stage} from './stage.ts';
+import {makeZmpMarks} from './zmp.ts';
 
 export interface Scene {
   stage: Stage;
@@ -85,11 +87,13 @@ export function makeScene(
   const cameras = makeCameras(canvas, invalidate);
   const ghosts = makeGhosts(layer());
   const paths = makePaths(core, layer(), invalidate);
-  const contacts = makeContacts(core, layer(), () => {
+  const offerAgain = () => {
     offers.update(store.state.motions, figures);
     invalidate();
-  });
-  const offers = makeOffers(contacts);
+  };
+  const contacts = makeContacts(core, layer(), offerAgain);
+  const zmp = makeZmpMarks(core, layer(), offerAgain);
+  const offers = makeOffers(contacts, zmp);
   const starts = makeStarts(poses, () => {
     place();
     if (!cameras.isMoved) frameAll();
@@ -123,7 +127,9 @@ export function makeScene(
           }))
         : [],
     );
-    contacts.show(shown.contacts ? drawn : [], floorHeight(whole, figures.size()));
+    const floor = floorHeight(whole, figures.size());
+    contacts.show(shown.contacts ? drawn : [], floor);
+    zmp.show(shown.zmp ? drawn : [], floor);
     axes.show(shown.axes ? activeMotion(store.state) : undefined, own, joint, figures.size());
     return true;
   };
@@ -178,9 +184,12 @@ export function makeScene(
     mustFrame = 'no';
     if (isKept) return;
     const motion = activeMotion(store.state);
-    if (isAnew) cameras.setView(store.state.camera, facingOf(motion?.document), true);
-    if (isAnew) stage.turnSun(facingOf(motion?.document));
-    cameras.frame(framed());
+    if (isAnew) cameras.setView(store.state.camera, facingOf(motion), true);
+    if (isAnew) stage.turnSun(facingOf(motion));
+    const box = framed();
+    cameras.frame(box);
+    const cover = coverOf(figures.presentBox(present), cameras.current);
+    if (cover.top + cover.bottom > 0) cameras.frame(box, cover);
   };
 
   function drawNow() {
@@ -219,7 +228,8 @@ export function makeScene(
   };
 
   let known = '';
-  store.on(['motions', 'shown'], ({motions}) => {
+  let front: {handle: number; of: Front | null} = {handle: 0, of: null};
+  store.on(['motions', 'shown', 'active'], ({motions, active}) => {
     place();
     // Where a motion is new, or stands elsewhere or otherwise than before, all is framed again.
     const now = motions.map(({handle, placement, document}) =>
@@ -228,6 +238,10 @@ export function makeScene(
     const isKnown = now.every((text) => known.includes(`${text};`));
     if (!isKnown && mustFrame === 'no') mustFrame = 'new';
     if (known === '' || (now.length === 1 && !isKnown)) mustFrame = 'anew';
+    const own = motions.find(({handle}) => handle === active);
+    const isTurned = front.handle === active && front.of !== own?.front;
+    if (isTurned) mustFrame = 'anew';
+    front = {handle: active, of: own?.front ?? null};
     known = now.map((text) => `${text};`).join('');
     offers.update(store.state.motions, figures);
   });
@@ -235,7 +249,7 @@ export function makeScene(
   store.on(['camera'], ({camera}) => {
     if (mustFrame !== 'anew') {
       const wasMoved = cameras.isMoved;
-      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+      cameras.setView(camera, facingOf(activeMotion(store.state)));
       // What a person has framed stays as large as it is.
       if (!wasMoved) frameAll();
     }
@@ -244,7 +258,7 @@ export function makeScene(
   store.on(['active'], () => {
     const {camera} = store.state;
     if (mustFrame !== 'anew' && isStraight(camera)) {
-      cameras.setView(camera, facingOf(activeMotion(store.state)?.document));
+      cameras.setView(camera, facingOf(activeMotion(store.state)));
     }
   });
   store.on(['joint', 'active', 'motions', 'language'], (state) => {

@@ -71,9 +71,27 @@ takeFiles(
   }),
 );
 
-/** Resolves when the browser has painted what is there. */
+/** A page that no paint is told of, as in a tab behind others, starts after so many milliseconds. */
+const kLongestPaint = 2000;
+
+/**
+ * Resolves when the browser has painted what is there. A busy one paints long after the frame for
+ * which it asked the page, so the entry of the paint is what counts.
+ */
 const painted = () =>
-  new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+  new Promise<void>((resolve) => {
+    const kind = 'first-contentful-paint';
+    if (!PerformanceObserver.supportedEntryTypes.includes('paint')) {
+      requestAnimationFrame(() => setTimeout(resolve));
+    } else {
+      new PerformanceObserver((list, observer) => {
+        if (list.getEntriesByName(kind).length === 0) return;
+        observer.disconnect();
+        resolve();
+      }).observe({type: 'paint', buffered: true});
+    }
+    setTimeout(resolve, kLongestPaint);
+  });
 
 /** The scene; where the browser has no WebGL, a message in its place, and the rest works. */
 function startScene(core: Core, poses: PoseCache): Scene | null {

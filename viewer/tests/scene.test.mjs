@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import {existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
-import {data, drop, launch, openPage, out, phone, root} from './browser.mjs';
+import {pathToFileURL} from 'node:url';
+import {data, drop, launch, openPage, out, page, phone, root} from './browser.mjs';
 
 const small = {viewport: {width: 1100, height: 440}, reducedMotion: 'reduce'};
 const robot = [join(root, 'examples/robot.body'), join(root, 'examples/bow.seq')];
@@ -259,6 +260,25 @@ describe('the scene', {concurrency: false}, () => {
     await context.close();
   });
 
+  test('a figure stands beside a long list, not below it', async () => {
+    const takes = Array.from({length: 12}, (_, k) =>
+      file(`a_take_of_the_second_actor_${k}.bvh`, walker()),
+    );
+    const {tab, faults, context} = await opened(browser, takes, {
+      viewport: {width: 860, height: 620},
+    });
+    await tab.waitForSelector('.waiting li');
+    const box = await tab.locator('#canvas').boundingBox();
+    const list = await tab.locator('#lists').boundingBox();
+    const size = {width: Math.round(box.width), height: Math.round(box.height)};
+    const shown = await found(tab, await picture(tab, {...size, isExact: true}), 'yellow');
+    assert.ok(shown.bottom - shown.top > 0.25, JSON.stringify(shown));
+    assert.ok(shown.left * box.width > list.x + list.width - box.x, JSON.stringify(shown));
+    await shot(tab, 'scene-beside-list.png');
+    assert.deepEqual(faults, []);
+    await context.close();
+  });
+
   test('two motions have two colours; the grid says its size and what is a guess', async () => {
     const {tab, faults, context} = await opened(browser, [
       file('a.bvh', walker()),
@@ -268,7 +288,13 @@ describe('the scene', {concurrency: false}, () => {
     assert.ok((await found(tab, base64, 'yellow')).share > 0.002);
     assert.ok((await found(tab, base64, 'blue')).share > 0.002);
     save('scene-two.png', base64);
-    assert.match(await tab.textContent('.grid-scale'), /^Grid 1 m \(guess\)$/);
+    assert.equal(await tab.textContent('.grid-scale'), 'Grid ≈ 1 m', 'by a clear height');
+    await tab.setInputFiles('#choose-files', [file('c.bvh', walker({size: 18}))]);
+    await tab.waitForFunction(() => document.querySelectorAll('.motion').length === 3);
+    await tab.click('.motion:nth-child(3) .title');
+    await tab.waitForFunction(() =>
+      /^Grid 1 m \(guess\)$/.test(document.querySelector('.grid-scale').textContent),
+    );
     await shot(tab, 'scene-two-page.png');
     assert.deepEqual(faults, []);
     await context.close();
@@ -468,6 +494,36 @@ ${rows}
     await press(tab, 'Top');
     assert.ok((await settled())[0] > last);
     await context.close();
+  });
+
+  test('WebGL starts after the first paint; where none is told of, after a while', async () => {
+    const noteStart = () => {
+      const own = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...words) {
+        if (kind.startsWith('webgl')) globalThis.webglStart ??= performance.now();
+        return own.call(this, kind, ...words);
+      };
+    };
+    const muteObserver = () => {
+      PerformanceObserver.prototype.observe = () => {};
+    };
+    const starts = async (...prepare) => {
+      const context = await browser.newContext(small);
+      const tab = await context.newPage();
+      for (const script of prepare) await tab.addInitScript(script);
+      await tab.goto(pathToFileURL(page).href);
+      await tab.waitForFunction(() => globalThis.webglStart > 0);
+      const times = await tab.evaluate(() => [
+        globalThis.webglStart,
+        performance.getEntriesByName('first-contentful-paint')[0]?.startTime,
+      ]);
+      await context.close();
+      return times;
+    };
+    const [start, paint] = await starts(noteStart);
+    assert.ok(start >= Math.min(paint ?? Infinity, 2000), `WebGL at ${start}, paint at ${paint}`);
+    const [unheard] = await starts(noteStart, muteObserver);
+    assert.ok(unheard >= 2000, `WebGL at ${unheard}, before it was told of a paint`);
   });
 
   test('without WebGL there is a message, and the rest of the page works', async () => {

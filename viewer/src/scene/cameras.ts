@@ -14,11 +14,15 @@ export interface View {
   halfHeight: number;
 }
 
-/** How much of the picture's height is covered, in parts, from its top and from its bottom. */
+/** How much of the picture is covered, in parts of its height or width, from each of its edges. */
 export interface Cover {
   top: number;
   bottom: number;
+  left: number;
+  right: number;
 }
+
+export const kNoCover: Readonly<Cover> = {top: 0, bottom: 0, left: 0, right: 0};
 
 export interface Cameras {
   readonly current: AnyCamera;
@@ -33,8 +37,10 @@ export interface Cameras {
    * where it was, or, anew, to where it looks at first.
    */
   setView(view: Camera, facing: THREE.Vector3, anew?: boolean): void;
+  /** Half the height of the picture in which a box fills what is not covered. */
+  halfHeightFor(box: THREE.Box3, cover: Readonly<Cover>): number;
   /** Moves so that a box fills the picture, or what is not covered of it, without turning. */
-  frame(box: THREE.Box3, cover?: Cover): void;
+  frame(box: THREE.Box3, cover?: Readonly<Cover>): void;
   /** Moves the camera along with a point, when it follows. */
   moveTo(target: THREE.Vector3): void;
   /** Fits near and far to a scene that reaches so far from the target. */
@@ -190,13 +196,17 @@ export function makeCameras(canvas: HTMLCanvasElement, onChange: () => void): Ca
       }
       place(current === perspective ? freely : directionOf(view, facing), half);
     },
-    frame(box, {top, bottom} = {top: 0, bottom: 0}) {
+    halfHeightFor(box, {top, bottom, left, right}) {
+      const high = 1 - top - bottom;
+      return halfHeightFor(box, current, (aspect * (1 - left - right)) / high) / high;
+    },
+    frame(box, cover = kNoCover) {
+      const {top, bottom, left, right} = cover;
       const from = direction();
-      const free = 1 - top - bottom;
-      const half = halfHeightFor(box, current, aspect / free) / free;
+      const half = this.halfHeightFor(box, cover);
       box.getCenter(target);
       place(from, half);
-      const aside = new THREE.Vector3(0, half * (top - bottom), 0);
+      const aside = new THREE.Vector3(half * aspect * (right - left), half * (top - bottom), 0);
       this.moveTo(aside.applyQuaternion(current.quaternion).add(target));
       isMoved = false;
     },

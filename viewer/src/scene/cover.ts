@@ -2,11 +2,13 @@
 // What lies over the picture: lists and buttons, behind which nobody sees a figure.
 import * as THREE from 'three';
 import {byId} from '../elements.ts';
-import type {AnyCamera, Cover} from './cameras.ts';
+import {type AnyCamera, type Cover, kNoCover} from './cameras.ts';
 
 const kOverlays = ['lists', 'views'];
-/** So much of the height is left to the figures, whatever lies over it. */
+/** So much of the height and the width is left to the figures, whatever lies over it. */
 const kLeastFree = 0.4;
+/** What leaves less is compared as if it left this. */
+const kAlmostNone = 0.01;
 
 /** Where a box is seen, in parts of the picture from its top left. */
 function seenPlace(box: THREE.Box3, camera: AnyCamera): THREE.Box2 {
@@ -25,9 +27,24 @@ function seenPlace(box: THREE.Box3, camera: AnyCamera): THREE.Box2 {
   return place;
 }
 
-/** How much of the height, from the top and from the bottom, is covered where a box is seen. */
-export function coverOf(box: THREE.Box3, camera: AnyCamera): Cover {
-  const cover = {top: 0, bottom: 0};
+/** A cover whose sides are so small that so much is left between them. */
+function leaving(free: number, {top, bottom, left, right}: Cover): Cover {
+  const share = (both: number) => Math.min(1, (1 - free) / Math.max(1e-6, both));
+  const [high, wide] = [share(top + bottom), share(left + right)];
+  return {top: top * high, bottom: bottom * high, left: left * wide, right: right * wide};
+}
+
+/**
+ * How much is covered where a box is seen. What lies over it is passed on the side on which the box
+ * stays largest: a row of buttons below it, a long list beside it.
+ * \param sizeOf  how large a picture must be, in lengths of the scene, with so much of it covered
+ */
+export function coverOf(
+  box: THREE.Box3,
+  camera: AnyCamera,
+  sizeOf: (cover: Cover) => number,
+): Cover {
+  let cover: Cover = kNoCover;
   if (box.isEmpty()) return cover;
   const seen = seenPlace(box, camera);
   const stage = byId('stage').getBoundingClientRect();
@@ -40,9 +57,11 @@ export function coverOf(box: THREE.Box3, camera: AnyCamera): Cover {
     const isApart =
       right < seen.min.x || left > seen.max.x || bottom < seen.min.y || top > seen.max.y;
     if (isApart || own.height === 0) continue;
-    if (top + bottom < 1) cover.top = Math.max(cover.top, bottom);
-    else cover.bottom = Math.max(cover.bottom, 1 - top);
+    const sides: Cover = {top: bottom, bottom: 1 - top, left: right, right: 1 - left};
+    const ways = (Object.keys(sides) as (keyof Cover)[]).map((side) =>
+      leaving(kAlmostNone, {...cover, [side]: Math.max(cover[side], sides[side])}),
+    );
+    cover = ways.reduce((best, next) => (sizeOf(next) < sizeOf(best) ? next : best));
   }
-  const share = Math.min(1, (1 - kLeastFree) / Math.max(1e-6, cover.top + cover.bottom));
-  return {top: cover.top * share, bottom: cover.bottom * share};
+  return leaving(kLeastFree, cover);
 }

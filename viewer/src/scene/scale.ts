@@ -10,10 +10,12 @@ export interface Scale {
   show(cell: number, motion: OpenMotion | undefined): void;
 }
 
-/** The label of the grid. */
+/** The label of the grid; as the panels say it, ≈ stands before what was found and not given. */
 export const gridText = (cell: number, motion: OpenMotion | undefined): string => {
-  const isGuess = motion !== undefined && motion.document.unit.certainty !== 'known';
-  return t(isGuess ? 'grid_guess' : 'grid', lengthText(cell));
+  const certainty = motion?.document.unit.certainty ?? 'known';
+  const length = lengthText(cell);
+  if (certainty === 'doubtful') return t('grid_guess', length);
+  return t('grid', certainty === 'known' ? length : `≈ ${length}`);
 };
 
 export function makeScale(stage: HTMLElement): Scale {

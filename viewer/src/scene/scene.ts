@@ -7,7 +7,7 @@ import {byId} from '../elements.ts';
 import type {FramePoses, PoseCache} from '../poses.ts';
 import {activeMotion, type Front, type Store} from '../state.ts';
 import {makeAxes} from './axes.ts';
-import {type Cameras, isStraight, makeCameras, type View} from './cameras.ts';
+import {type Cameras, type Cover, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
 import {coverOf} from './cover.ts';
 import {type Figures, makeFigures} from './figures.ts';
@@ -188,8 +188,9 @@ export function makeScene(
     if (isAnew) stage.turnSun(facingOf(motion));
     const box = framed();
     cameras.frame(box);
-    const cover = coverOf(figures.presentBox(present), cameras.current);
-    if (cover.top + cover.bottom > 0) cameras.frame(box, cover);
+    const sizeOf = (given: Cover) => cameras.halfHeightFor(box, given);
+    const cover = coverOf(figures.presentBox(present), cameras.current, sizeOf);
+    if (Object.values(cover).some((part) => part > 0)) cameras.frame(box, cover);
   };
 
   function drawNow() {

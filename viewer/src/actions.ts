@@ -12,6 +12,7 @@ import type {
 } from './core/types.ts';
 import {baseName, inOrder} from './paths.ts';
 import {activeMotion, type OpenMotion, type Store, withMotion} from './state.ts';
+import {shownTimes} from './times.ts';
 import {t} from './words.ts';
 
 /** Yellow first, blue second, as in the document on time warping; then colours far from both. */
@@ -72,9 +73,13 @@ const againText = (again: OpenMotion[]): string =>
 const mayOpen = ({what, diagnostics}: OpenedFile): boolean =>
   what === 'fault' || (what === 'unknown' && diagnostics.length > 0);
 
+/** By how much later in its source a changed motion begins, in seconds of the page. */
+const startMoved = (before: OpenMotion, now: Description): number =>
+  (now.source_start - before.document.source_start) / before.pace;
+
 /** Lets originals keep step with a motion whose steps now begin with another frame of its source. */
 function inStep(motions: OpenMotion[], before: OpenMotion, now: Description): OpenMotion[] {
-  const moved = (now.source_start - before.document.source_start) / before.pace;
+  const moved = startMoved(before, now);
   if (moved === 0) return motions;
   return motions.map((motion) =>
     motion.originalOf === before.handle ? {...motion, offset: motion.offset - moved} : motion,
@@ -157,19 +162,18 @@ export function makeActions(core: Core, store: Store): Actions {
     if (now === undefined) return null;
     const keepsJoints = document.joints.length === now.document.joints.length;
     const isActive = activeMotion(store.state)?.handle === motion.handle;
+    const changed = withMotion(store.state, motion.handle, {
+      ...history,
+      document,
+      diagnostics,
+      version: now.version + 1,
+    });
+    const motions = inStep(changed, now, document);
     store.set({
       message: '',
       joint: isActive && !keepsJoints ? -1 : store.state.joint,
-      motions: inStep(
-        withMotion(store.state, motion.handle, {
-          ...history,
-          document,
-          diagnostics,
-          version: now.version + 1,
-        }),
-        now,
-        document,
-      ),
+      motions,
+      ...(isActive ? shownTimes(store.state, motions, startMoved(now, document)) : {}),
     });
     return null;
   };

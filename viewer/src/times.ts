@@ -79,3 +79,27 @@ export function wholeRange(state: Readonly<State>): [number, number] {
   }
   return first <= last ? [first, last] : [0, 0];
 }
+
+/**
+ * The time and the range of a page whose active motion was changed and begins so much later in its
+ * source: they stay at what of it they were at, and where there is something to show.
+ */
+export function shownTimes(
+  state: Readonly<State>,
+  motions: OpenMotion[],
+  moved: number,
+): Pick<State, 'seconds' | 'loop'> {
+  const [wasFirst, wasLast] = wholeRange(state);
+  const [first, last] = wholeRange({...state, motions});
+  const within = (seconds: number) => Math.max(first, Math.min(last, seconds));
+  const {seconds, loop} = state;
+  const isMoved = seconds - moved >= first && seconds - moved <= last + kRounding;
+  const wasThere = seconds >= wasFirst && seconds <= wasLast;
+  const now = isMoved ? seconds - moved : seconds;
+  const [begin, end] = (loop ?? [first, first]).map((time) => within(time - moved));
+  const isAll = begin - first < kRounding && last - end < kRounding;
+  return {
+    seconds: isMoved || wasThere ? within(now) : seconds,
+    loop: end - begin < kRounding || isAll ? null : [begin, end],
+  };
+}

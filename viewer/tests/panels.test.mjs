@@ -5,7 +5,18 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {drop, imported, kinefile, launch, ofFirst, openPage, out, phone, root} from './browser.mjs';
+import {
+  drop,
+  imported,
+  kinefile,
+  launch,
+  ofAll,
+  ofFirst,
+  openPage,
+  out,
+  phone,
+  root,
+} from './browser.mjs';
 
 const folder = join(out, 'panels');
 mkdirSync(folder, {recursive: true});
@@ -231,6 +242,30 @@ test('curves go with the time: a click goes to a frame, shift and drag zooms', a
     );
     return keys.querySelector('.number').textContent === '0';
   });
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('of a robot joint its value is plotted, until a person chooses', async () => {
+  const {tab, context, faults} = await opened([
+    join(examples, 'robot.body'),
+    join(examples, 'bow.seq'),
+  ]);
+  const pressed = () =>
+    ofAll(tab, '.chip[aria-pressed="true"]', (all) => all.map((one) => one.textContent));
+  await tab.click('.joint >> nth=1');
+  await openTab(tab, 'curves');
+  await tab.waitForSelector('.plot canvas');
+  assert.deepEqual(await pressed(), ['q']);
+  await openTab(tab, 'joints');
+  await tab.click('.joint >> nth=0');
+  await openTab(tab, 'curves');
+  assert.deepEqual(await pressed(), ['x', 'y', 'z'], 'the root has a place');
+  await tab.click('.chip:text-is("y")');
+  await openTab(tab, 'joints');
+  await tab.click('.joint >> nth=1');
+  await openTab(tab, 'curves');
+  assert.deepEqual(await pressed(), ['x', 'z']);
   assert.deepEqual(faults, []);
   await context.close();
 });

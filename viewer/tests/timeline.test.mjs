@@ -502,6 +502,46 @@ test('an original keeps step with what its frames were cut from; who is not ther
   assert.deepEqual(faults, []);
 });
 
+test('a cut takes the range that plays; then all of it plays, and the frame stays', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh]);
+  const values = () =>
+    ofAll(tab, '#panel-edit form input', (all) => all.map(({value}) => value).join());
+  const goTo = async (frame) => {
+    await tab.fill('#frame', String(frame));
+    await press(tab, 'Enter');
+  };
+  await tab.click('#tab-edit');
+  await tab.click('.operation:has(b:text-is("trim=A:B"))');
+  assert.equal(await values(), ',');
+  await goTo(20);
+  await press(tab, 'i');
+  await goTo(69);
+  await press(tab, 'o');
+  assert.equal(await values(), '20,70', 'the range that is set while the form is open');
+  await goTo(30);
+  await tab.click('#panel-edit form button.primary');
+  await waitText(tab, '.steps', 'trim=20:70');
+  assert.equal(await lastFrame(tab), 49);
+  assert.equal(await frameOf(tab), 10, 'the same frame of the file');
+  assert.equal(await count(tab, '.loop.whole'), 1);
+  assert.equal(await values(), ',');
+  await tab.click('#panel-edit button[data-act="undo"]');
+  await waitFrame(tab, 30);
+  // What is twice as fast ends sooner: what is shown is there.
+  await press(tab, 'End');
+  await tab.click('.operation:has(b:text-is("speed=X"))');
+  await tab.fill('form [name="factor"]', '2');
+  await tab.click('#panel-edit form button.primary');
+  await waitText(tab, '.steps', 'speed=2');
+  assert.equal(await frameOf(tab), await lastFrame(tab));
+  assert.deepEqual(
+    await ofAll(tab, '.presence', (all) => all.map((one) => one.textContent)),
+    [''],
+    'it is not over',
+  );
+  assert.deepEqual(faults, []);
+});
+
 test('linked by frame number, motions of two rates show the same frame', async (t) => {
   const slow = fileOf('slow.bvh', smallBvh(60, undefined, 0.1));
   const {tab, faults} = await withPage(t, [bvh, slow]);
@@ -546,6 +586,11 @@ test('companions and marks: an AMC waits for its ASF; a limit is marked', async 
   assert.equal(await frameOf(tab), 3);
   await press(tab, 'End', ',');
   assert.equal(await frameOf(tab), 3);
+  await tab.mouse.move(500, 200);
+  await press(tab, 'Home', '.');
+  await waitText(tab, '.mark-note', "joint 'arm' goes up to 30");
+  await press(tab, 'ArrowRight');
+  assert.equal(await tab.isVisible('.mark-note'), false, 'it is about another frame');
   await tab.click('.unit');
   await waitText(tab, '.track', '0.02 s');
   assert.deepEqual(faults, []);

@@ -68,6 +68,10 @@ test('sentences of the core are in Japanese with what they name, others stay', (
     fromCore('the names tell left from right, first L$1 from R{0}'),
     '関節名の左右（L$1 と R{0} など）から判断',
   );
+  const flow = readFileSync(new URL('../../examples/wave.txt', import.meta.url));
+  core.addFile('wave.txt', flow);
+  const [lacking] = core.ask('open_all', {paths: ['wave.txt']}).opened;
+  assert.match(fromCore(lacking.diagnostics[0].message), /ロボットモデル.*サーボマップ/);
   const turn = "joint 'Arm' turns by 90 degrees from frame 3 to 4";
   assert.equal(fromCore(turn), '関節「Arm」がフレーム 3 から 4 で 90 度回転します');
   assert.match(fromCore(`${turn} and is back in frame 6`), /フレーム 6 で戻ります/);

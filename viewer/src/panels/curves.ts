@@ -35,10 +35,18 @@ const labelOf = ({key, channel}: Quantity): string => {
   return key;
 };
 
+/** What is plotted before a person has chosen: the value of a joint that has one, or its place. */
+function usualOf(quantities: Quantity[]): Set<string> {
+  const own = quantities.filter(({channel}) => channel !== '');
+  return new Set(own.length === 1 ? [own[0].key] : ['x', 'y', 'z']);
+}
+
 /** Makes the panel. */
 export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
   const cache = makeSeriesCache(core);
-  let chosen = new Set(['x', 'y', 'z']);
+  /** What a person has chosen; null: nothing yet. */
+  let chosen: Set<string> | null = null;
+  const isChosen = (key: string, of: Quantity[]) => (chosen ?? usualOf(of)).has(key);
   let x: XAxis = 'frames';
   let zoomed: Range | null = null;
   let whole: Range = [0, 1];
@@ -123,7 +131,7 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
   const redraw = latestOnly<Readonly<State>>(async (state) => {
     const active = activeMotion(state);
     const quantities = active ? quantitiesOf(active.document, state.joint) : [];
-    const wanted = quantities.filter(({key}) => chosen.has(key));
+    const wanted = quantities.filter(({key}) => isChosen(key, quantities));
     const groups = await plottedGroups(cache, state, wanted, x);
     for (const {plot} of plots) plot.dispose();
     plots = [];
@@ -143,17 +151,18 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
     return el('p', {class: 'empty'}, [t(state.joint < 0 ? 'choose_joint' : 'choose_curves')]);
   };
 
-  const toggle = (key: string) => {
-    chosen = new Set(chosen.has(key) ? [...chosen].filter((own) => own !== key) : [...chosen, key]);
+  const toggle = (key: string, of: Quantity[]) => {
+    const now = chosen ?? usualOf(of);
+    chosen = new Set(now.has(key) ? [...now].filter((own) => own !== key) : [...now, key]);
     draw(store.state);
     chips.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus();
   };
 
-  const chip = (quantity: Quantity) => {
+  const chip = (quantity: Quantity, _: number, all: Quantity[]) => {
     const {key} = quantity;
-    const made = button(labelOf(quantity), () => toggle(key), {
+    const made = button(labelOf(quantity), () => toggle(key, all), {
       class: 'chip',
-      pressed: chosen.has(key),
+      pressed: isChosen(key, all),
     });
     made.dataset.key = key;
     return made;

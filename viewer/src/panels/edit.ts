@@ -3,6 +3,7 @@
 import type {OperationForm, OperationInfo, Step} from '../core/types.ts';
 import {button, el} from '../elements.ts';
 import {activeMotion, type OpenMotion, type State} from '../state.ts';
+import {shownFrame} from '../times.ts';
 import {fromCore, nameOf, t} from '../words.ts';
 import {openOriginal} from './compare.ts';
 import {type PanelContext, whileOpen} from './context.ts';
@@ -35,6 +36,25 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
   let open = '';
   let drawnFor: unknown[] = [];
 
+  /** Fills the open form again; nothing in most of them. */
+  let refill = () => {};
+
+  /** A form for some frames is about the range that plays, if there is one. */
+  const fillRange = (fields: Field[]) => {
+    const [begin, end] = ['begin', 'end'].map((name) =>
+      fields.find(({info}) => info.name === name && info.type === 'count'),
+    );
+    if (begin === undefined || end === undefined) return;
+    refill = () => {
+      const motion = activeMotion(store.state);
+      const {loop} = store.state;
+      const frames = motion && loop?.map((seconds) => shownFrame(motion, seconds));
+      begin.control.value = frames === undefined ? '' : String(frames[0]);
+      end.control.value = frames === undefined ? '' : String(frames[1] + 1);
+    };
+    if (store.state.loop !== null) refill();
+  };
+
   /** Shows what the core says against a change, here and not in the page's bar. */
   const tellRefusal = (isDone: boolean, place: HTMLElement) => {
     place.textContent = isDone ? '' : store.state.message;
@@ -45,6 +65,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     // A file that changes the motion is another one than its own.
     const files = [...core.paths].filter((path) => path !== motion.document.path).sort();
     const fields: Field[] = form.parameters.map((parameter) => makeField(parameter, '', files));
+    fillRange(fields);
     const refusal = el('p', {class: 'refusal', attributes: {role: 'alert'}});
     const apply = el('button', {type: 'submit', class: 'primary'}, [t('apply')]);
     return el(
@@ -100,6 +121,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     const wanted = [motion?.handle, motion?.document.kind, language, search.value, core.paths.size];
     if (!isForced && wanted.every((value, index) => value === drawnFor[index])) return;
     drawnFor = wanted;
+    refill = () => {};
     search.placeholder = t('search_operations');
     search.setAttribute('aria-label', t('search_operations'));
     search.hidden = list.hidden = motion === undefined;
@@ -175,6 +197,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     drawDone(state);
     drawList(state);
   });
+  whileOpen(store, 'edit', ['loop'], (_, changed) => changed.has('loop') && refill());
   root.append(done, search, list);
   return root;
 }

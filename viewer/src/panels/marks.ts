@@ -30,6 +30,8 @@ export function makeMarks(core: Core, store: Store): Marks {
   let contacts: Contact[] = [];
   let shown = '';
   let timer = 0;
+  /** The frame whose mark is told of; what is said of it goes when another frame is shown. */
+  let toldFrame: number | null = null;
   const listeners: (() => void)[] = [];
   const tellers: ((text: string) => void)[] = [];
   const changed = () => {
@@ -61,9 +63,16 @@ export function makeMarks(core: Core, store: Store): Marks {
     shown = key;
     all = [];
     contacts = [];
+    if (toldFrame !== null) marks.tell('');
     changed();
     clearTimeout(timer);
     if (key !== '') timer = window.setTimeout(() => ask(key), isOther ? 0 : kPause);
+  });
+
+  store.on(['seconds'], ({seconds}) => {
+    const motion = activeMotion(store.state);
+    if (toldFrame === null || motion === undefined) return;
+    if (shownFrame(motion, seconds) !== toldFrame) marks.tell('');
   });
 
   const marks: Marks = {
@@ -87,8 +96,10 @@ export function makeMarks(core: Core, store: Store): Marks {
       goToFrame(store, mark.worst_frame);
       store.set({joint: mark.joint});
       marks.tell(fromCore(mark.message));
+      toldFrame = mark.worst_frame;
     },
     tell(text) {
+      toldFrame = null;
       for (const teller of tellers) teller(text);
     },
     onChange(listener) {

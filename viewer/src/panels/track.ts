@@ -60,7 +60,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
   const drawing = svg('svg', {class: 'track'});
   const playhead = svg('g', {});
   let unit: RulerUnit = 'frames';
-  const unitButton = el('button', {type: 'button', class: 'unit plain'});
+  const unitButton = el('button', {type: 'button', class: 'unit'});
   unitButton.addEventListener('click', () => {
     unit = unit === 'frames' ? 'seconds' : 'frames';
     draw();

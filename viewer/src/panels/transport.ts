@@ -27,7 +27,7 @@ function otherNumbers(motion: OpenMotion, frame: number, seconds: number): strin
     presenceText(motion, seconds),
   ]
     .filter((text) => text !== '')
-    .join('  ');
+    .join(' · ');
 }
 
 /** The time of the motion; one that does not go on says what it is. */

@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "kinefile/robot.hpp"
 #include "kinematics/rotation_batches.hpp"
+#include "model/part_names.hpp"
 
 namespace kinefile::robot {
 namespace {
@@ -24,7 +25,7 @@ std::string part_name(const Component& component, std::size_t part) {
   if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
     return fmt::format("joint{}", part);
   }
-  if (component.kind != ComponentKind::Vectors) return fmt::format("{}{}", component.content, part);
+  if (component.kind != ComponentKind::Vectors) return numbered_part(component.content, part);
   return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
 }
 

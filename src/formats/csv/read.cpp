@@ -114,8 +114,9 @@ std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& 
   TableRows rows;
   rows.num_columns = header.size();
   if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
-  const auto timeline = timeline_of_rows(reader.source, rows, reader.options.fps,
-                                         {"CSV006", "CSV007", "CSV016"}, reader.diagnostics);
+  const auto timeline =
+      timeline_of_rows(reader.source, rows, reader.options.fps,
+                       {"CSV006", "CSV007", "CSV016", "CSV021", "CSV022"}, reader.diagnostics);
   if (!timeline) return std::nullopt;
   BodyMotion motion;
   for (const Group& group : groups) {

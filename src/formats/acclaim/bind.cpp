@@ -129,7 +129,7 @@ Mat3 rotation_of(const Orientation& orientation, AngleUnit unit) {
 
 Vec3 end_of(const Bone& bone) {
   const Vec3 direction(bone.direction[0], bone.direction[1], bone.direction[2]);
-  const double norm = direction.norm();
+  const double norm = direction.stableNorm();  // its square may be infinite or 0
   if (!(norm > 0) || !std::isfinite(norm)) return Vec3::Zero();
   return direction / norm * bone.length;
 }
@@ -175,7 +175,7 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
     joint.kept = kept_bone(bone);
     skeleton.joints.push_back(std::move(joint));
     const Mat3 axes = rotation_of(bone.axis, unit);
-    const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();
+    const Vec3 along = end.isZero(0) ? Vec3(Vec3::UnitY()) : end.stableNormalized();
     const bool is_forced = options.forces_3dof && !bone.dofs.empty();
     add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, bone.limits,
              {axes, axes, along});

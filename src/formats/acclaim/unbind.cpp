@@ -162,7 +162,7 @@ bool says_axes(const Orientation& axis, const std::vector<Worded>& worded, Angle
 
 void set_end(Bone& bone, const Vec3& end) {
   if (end_of(bone) == end) return;
-  bone.length = end.stableNorm();  // its square may be infinite or 0
+  bone.length = length_of(end);
   const Vec3 direction = bone.length > 0 ? Vec3(end / bone.length) : Vec3::UnitY();
   bone.direction = {direction[0], direction[1], direction[2]};
 }
@@ -245,7 +245,7 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, AngleUnit 
   order_by_columns(*worded);
   for (const Worded& one : *worded) {
     const bool is_along = one.word != DofWord::Length || end.isZero(0) ||
-                          one.dof->axis.isApprox(end.stableNormalized(), kSquareTolerance);
+                          one.dof->axis.isApprox(end / length_of(end), kSquareTolerance);
     if (!is_along) return fail(not_expressible(joint, "grows along another line than its bone"));
   }
   const std::vector<DofWord> dofs = dofs_of(*worded);

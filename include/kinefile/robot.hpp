@@ -22,6 +22,10 @@ namespace kinefile::robot {
 /// same bit for bit. Joints are named link0, link1, ..., joint0, ..., or by the content.
 Motion motion_of_component(const Component& component);
 
+/// The name of a part of a component: its own, or "link0", "joint3", "ZMP.root", "Grip[0]" by the
+/// content.
+std::string name_of_part(const Component& component, std::size_t part);
+
 /// A component with the frames, values and rate of the motion that `motion_of_component` made.
 Component with_frames_of(const Component& component, const Motion& motion);
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/check.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "document/check_names.hpp"
+#include "document/check_values.hpp"
 #include "kinefile/marks.hpp"
 #include "kinefile/place.hpp"
 
@@ -14,24 +11,6 @@ namespace {
 
 void tell(const std::vector<Mark>& marks, Diagnostics& diagnostics) {
   for (const Mark& mark : marks) diagnostics.add(mark.severity, mark.code, mark.message);
-}
-
-/// Tells of the components that differ from the main one in length or rate. Others than joints may
-/// have their own, as long as they last as long but for a frame.
-void check_components(const BodyMotion& body, Diagnostics& diagnostics) {
-  const Component* const main = main_component(body);
-  for (const Component& component : body.components) {
-    if (component.kind == ComponentKind::Other || robot::agree(component, *main)) continue;
-    const double difference = std::abs(duration(component.timeline, component.num_frames) -
-                                       duration(main->timeline, main->num_frames));
-    const double frame = std::max(frame_time(component.timeline), frame_time(main->timeline));
-    const bool is_fault = component.content == kJointDisplacement || !(difference <= frame) ||
-                          have_same_times(component.timeline, main->timeline);
-    diagnostics.add(is_fault ? Severity::Warning : Severity::Note, "BRG021",
-                    fmt::format("the components differ in length or rate: {}; 'kinefile resample' "
-                                "brings them to one",
-                                robot::words_of_disagreement(component, *main)));
-  }
 }
 
 /// Puts a document that is not a motion (a body motion or a flow) on the robot.
@@ -49,9 +28,11 @@ void check(const Document& document, const CheckOptions& options, Diagnostics& d
   found.warnings_are_errors = diagnostics.warnings_are_errors;
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
     tell(find_marks(*motion), found);
+    check_values(*motion, found);
   } else if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
-    check_components(*body, found);
+    check_values(*body, static_cast<bool>(options.robot), found);
   }
+  check_names(document, found);
   if (options.robot && !has_skeleton(document)) {
     check_on_robot(document, options, found);
   }

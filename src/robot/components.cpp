@@ -17,18 +17,6 @@ namespace {
 constexpr std::array<const char*, 7> kFreeChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 constexpr std::array<const char*, 6> kRpyChannels = {"x", "y", "z", "roll", "pitch", "yaw"};
 
-std::string part_name(const Component& component, std::size_t part) {
-  if (part < component.part_names.size()) return component.part_names[part];
-  if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
-    return fmt::format("link{}", part);
-  }
-  if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
-    return fmt::format("joint{}", part);
-  }
-  if (component.kind != ComponentKind::Vectors) return numbered_part(component.content, part);
-  return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
-}
-
 void add_column(Skeleton& skeleton, const char* channel) {
   skeleton.coordinates.push_back({skeleton.joints.size() - 1, channel});
 }
@@ -76,6 +64,18 @@ void append_parts(const Skeleton& from, Skeleton& to) {
 
 }  // namespace
 
+std::string name_of_part(const Component& component, std::size_t part) {
+  if (part < component.part_names.size()) return component.part_names[part];
+  if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
+    return fmt::format("link{}", part);
+  }
+  if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
+    return fmt::format("joint{}", part);
+  }
+  if (component.kind != ComponentKind::Vectors) return numbered_part(component.content, part);
+  return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
+}
+
 Motion motion_of_component(const Component& component) {
   Motion motion;
   Skeleton& skeleton = motion.skeleton;
@@ -83,7 +83,7 @@ Motion motion_of_component(const Component& component) {
   skeleton.metres_per_unit = 1;
   skeleton.up = 2;
   for (std::size_t part = 0; part < component.num_parts; ++part) {
-    skeleton.joints.emplace_back().name = part_name(component, part);
+    skeleton.joints.emplace_back().name = name_of_part(component, part);
     if (component.kind == ComponentKind::Poses) {
       add_pose(skeleton, component.pose_form);
     } else {

@@ -20,8 +20,10 @@ struct CheckOptions {
 /// Looks for problems that no format forbids (see `find_marks`): joints that turn suddenly (notes
 /// MOT001, MOT002), joints that leave the limits of their degrees of freedom or are too fast
 /// (MOT003, MOT004; for a robot one warning per degree of freedom, for a figure one note per
-/// joint). A body motion is checked on its robot; it is an error if it cannot be applied to the
-/// robot.
+/// joint), jumps (MOT006), numbers that look as if they had another unit (MOT007 to MOT009),
+/// components of different lengths or rates (BRG021), and names with characters that cannot be seen
+/// or that differ in case alone (DOC002, DOC003). A body motion is checked on its robot; it is an
+/// error if it cannot be applied to the robot.
 void check(const Document& document, const CheckOptions& options, Diagnostics& diagnostics);
 
 /// Reads a document, then checks it.

@@ -68,7 +68,8 @@ Result<void> apply(Document& document, const TimeMap& map, const RetimeOptions& 
                    Diagnostics& diagnostics);
 
 /// Resamples a document's motion to another frame rate, with the same duration (see
-/// `resample_map`); each component of a body motion from its own rate.
+/// `resample_map`); each component of a body motion from its own rate. Components that end before
+/// the others hold their last values, with a diagnostic (RTM010).
 /// \errors those of `resample_map` and of `apply`; DOC001 (Usage) if `has_frames` is false
 Result<void> resample(Document& document, double frame_rate, const RetimeOptions& options,
                       Diagnostics& diagnostics);

@@ -22,6 +22,10 @@ namespace kinefile::robot {
 /// same bit for bit. Joints are named link0, link1, ..., joint0, ..., or by the content.
 Motion motion_of_component(const Component& component);
 
+/// The name of a part of a component: its own, or "link0", "joint3", "ZMP.root", "Grip[0]" by the
+/// content.
+std::string name_of_part(const Component& component, std::size_t part);
+
 /// A component with the frames, values and rate of the motion that `motion_of_component` made.
 Component with_frames_of(const Component& component, const Motion& motion);
 
@@ -40,10 +44,25 @@ void put_side_by_side(const Motion& motion, std::span<Component* const> componen
 /// \errors BRG010 (Usage) if it has no link poses
 Result<Motion> motion_of_links(const BodyMotion& motion);
 
-/// All components side by side, as one motion of separate parts: those that have as many frames as
-/// the main one (links, otherwise joints, otherwise the first). Others are omitted, with a
-/// diagnostic.
-Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics);
+/// Whether two components have one length and the same times.
+bool agree(const Component& a, const Component& b);
+
+/// The first component that does not `agree` with the main one; null if all do. Components of
+/// unknown type are passed over.
+const Component* find_disagreement(const BodyMotion& motion);
+
+/// How the lengths and rates of two components differ: "3 frames at 50 a second of
+/// 'JointDisplacement' beside 3 at 100 of 'LinkPosition'".
+std::string words_of_disagreement(const Component& component, const Component& main);
+
+/// All components side by side, as one motion of separate parts. Those of unknown type are left
+/// out, with a diagnostic.
+/// \param lenient  leaves those out, too, that do not `agree` with the main one
+/// \errors BRG010 (Usage) if there are none; BRG021 (DataLoss) if they do not agree and `lenient`
+/// is
+///         false
+Result<Motion> motion_of_components(const BodyMotion& motion, bool lenient,
+                                    Diagnostics& diagnostics);
 
 /// The same motion with three translations, along x, y and z, and three rotations, about z, y and
 /// x, instead of each joint that moves freely. Angles are nearest to the previous frame.
@@ -58,7 +77,8 @@ Motion without_free_joints(const Motion& motion);
 /// \param skeleton  a robot's: a free root, columns in order of joint ids
 /// \errors BRG010 (Usage) if there are neither link poses nor joint displacements;
 /// BRG011 (InvalidInput) if there are fewer frames of joints than of links (`lenient` repeats the
-/// last frame); BRG012 (Usage) if the root of the skeleton is not free; BRG017 (DataLoss) if the
+/// last frame); BRG021 (DataLoss) if there are more, or at another rate (`lenient` goes by their
+/// numbers); BRG012 (Usage) if the root of the skeleton is not free; BRG017 (DataLoss) if the
 /// recorded value of a joint that follows another differs (`lenient` warns)
 Result<Motion> pose(const BodyMotion& motion, const Skeleton& skeleton, bool lenient,
                     Diagnostics& diagnostics);

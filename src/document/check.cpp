@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/check.hpp"
 
+#include "document/check_names.hpp"
+#include "document/check_values.hpp"
 #include "kinefile/marks.hpp"
 #include "kinefile/place.hpp"
 
@@ -26,7 +28,12 @@ void check(const Document& document, const CheckOptions& options, Diagnostics& d
   found.warnings_are_errors = diagnostics.warnings_are_errors;
   if (const Motion* motion = std::get_if<Motion>(&document.content)) {
     tell(find_marks(*motion), found);
-  } else if (options.robot && !has_skeleton(document)) {
+    check_values(*motion, found);
+  } else if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    check_values(*body, static_cast<bool>(options.robot), found);
+  }
+  check_names(document, found);
+  if (options.robot && !has_skeleton(document)) {
     check_on_robot(document, options, found);
   }
   diagnostics.append(named(found, options.name, diagnostics.warnings_are_errors));

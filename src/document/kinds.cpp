@@ -222,9 +222,11 @@ bool takes_flows_alone(const Conventions& conventions) {
 
 /// A body motion as a motion whose columns are its components' values.
 Result<Document> as_columns(Document document, const BodyMotion& body, const Skeleton* robot,
-                            Diagnostics& diagnostics) {
+                            bool lenient, Diagnostics& diagnostics) {
   const BodyMotion named = robot == nullptr ? body : with_names_of(body, *robot);
-  document.content = robot::motion_of_components(named, diagnostics);
+  auto columns = robot::motion_of_components(named, lenient, diagnostics);
+  if (!columns) return fail(std::move(columns.error()));
+  document.content = std::move(*columns);
   document.format.clear();
   return document;
 }
@@ -262,7 +264,7 @@ Result<Document> motion_for(const Conventions& conventions, Document document,
   if (wants_columns) {
     const Skeleton own = motion->skeleton;
     const Skeleton* robot = options.model != nullptr ? &skeleton_of(*options.model) : &own;
-    return as_columns(std::move(document), *body, robot, diagnostics);
+    return as_columns(std::move(document), *body, robot, options.lenient, diagnostics);
   }
   document.content = std::move(*body);
   return document;
@@ -284,7 +286,7 @@ Result<Document> body_for(const Conventions& conventions, Document document,
   if (conventions.has_columns_of_components) {
     return as_columns(std::move(document), body,
                       options.model == nullptr ? nullptr : &skeleton_of(*options.model),
-                      diagnostics);
+                      options.lenient, diagnostics);
   }
   if (stays) {
     document.content = std::move(body);

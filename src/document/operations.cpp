@@ -105,13 +105,6 @@ std::string hindrance(const Operation& operation, const Document& document) {
   return {};
 }
 
-/// Whether a component can be changed and its length or rate differs from the main component's.
-bool disagrees(const Component& component, const Component& main) {
-  if (component.kind == ComponentKind::Other) return false;
-  return component.num_frames != main.num_frames ||
-         !have_same_times(component.timeline, main.timeline);
-}
-
 }  // namespace
 
 std::span<const OperationInfo> operations() {
@@ -189,17 +182,14 @@ Result<void> apply(std::span<const Operation> operations, Document& document,
 }
 
 Result<void> expect_agreement(const BodyMotion& body) {
-  const Component* main = main_component(body);
-  for (const Component& component : body.components) {
-    if (main == nullptr || !disagrees(component, *main)) continue;
-    return fail(
-        ErrorKind::Usage, "CLI002",
-        fmt::format("expected components of one length and rate, found {} frames at {} a second of "
-                    "'{}' beside {} at {}",
-                    component.num_frames, frame_rate(component.timeline), component.content,
-                    main->num_frames, frame_rate(main->timeline)));
-  }
-  return {};
+  const Component* const other = robot::find_disagreement(body);
+  if (other == nullptr) return {};
+  return fail(
+      ErrorKind::Usage, "CLI002",
+      fmt::format("expected components of one length and rate, found {}; 'kinefile resample "
+                  "--fps {:.6g}' brings them to one",
+                  robot::words_of_disagreement(*other, *main_component(body)),
+                  nominal_frame_rate(main_component(body)->timeline)));
 }
 
 Result<void> change_components(BodyMotion& body, bool must_agree,

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "document/sources.hpp"
@@ -51,6 +54,29 @@ Result<Document> on_named_skeleton(Document document, const Format& format,
   return on_skeleton_of(*skeleton, std::move(document), diagnostics);
 }
 
+bool is_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); });
+}
+
+bool is_finite(const Skeleton& skeleton) {
+  return std::all_of(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint& joint) {
+    return joint.offset.allFinite() && joint.rest_rotation.coeffs().allFinite() &&
+           std::all_of(joint.tips.begin(), joint.tips.end(),
+                       [](const Tip& tip) { return tip.offset.allFinite(); });
+  });
+}
+
+/// Whether all numbers of a motion and its skeleton are finite.
+bool is_finite(const Document& document) {
+  if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    return std::all_of(body->components.begin(), body->components.end(),
+                       [](const Component& component) { return is_finite(component.values); });
+  }
+  const Motion* motion = std::get_if<Motion>(&document.content);
+  return (!has_skeleton(document) || is_finite(skeleton_of(document))) &&
+         (motion == nullptr || is_finite(motion->clip.values));
+}
+
 }  // namespace
 
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
@@ -60,6 +86,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   const bool knows_positions = from != nullptr && from->adds_positions != nullptr;
   channels.adds_positions = knows_positions && from->adds_positions(document);
   const bool was_body = std::holds_alternative<BodyMotion>(document.content);
+  const bool was_finite = from != &format && is_finite(document);
   auto made = in_wanted_kind(std::move(document), format, adapting, diagnostics);
   std::shared_ptr<const Document> skeleton;
   if (made && !format.companion.empty() && !was_body) {
@@ -67,6 +94,10 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   }
   if (made) made = adapted_to(format, std::move(*made), channels, diagnostics);
   if (!made) return made;
+  if (was_finite && !is_finite(*made)) {
+    return fail(ErrorKind::DataLoss, "CNV011",
+                "a number becomes larger than a double holds, by another unit or another skeleton");
+  }
   // The given skeleton is also used for the output if the motion still fits it.
   if (skeleton != nullptr && skeleton->format == format.companion &&
       are_written_alike(*find_format(format.companion), *skeleton, *made)) {

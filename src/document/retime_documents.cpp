@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/retime_documents.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "kinefile/operation.hpp"
 
@@ -29,6 +33,37 @@ Result<std::vector<double>> weights_of(const Document& document, Diagnostics& di
   if (motion != nullptr) return contact_weights(*motion, diagnostics);
   return fail(ErrorKind::Usage, "CLI002",
               "expected a motion with a skeleton for --contacts, found components");
+}
+
+/// Repeats the last values of the components that end before others do, so that all cover the same
+/// frames.
+/// \param periods  of the components before they were brought to this rate, in seconds
+void hold_to_one_end(BodyMotion& body, std::span<const double> periods, double frame_rate,
+                     Diagnostics& diagnostics) {
+  std::size_t num_frames = 0;
+  for (const Component& component : body.components) {
+    if (component.kind != ComponentKind::Other) {
+      num_frames = std::max(num_frames, component.num_frames);
+    }
+  }
+  for (std::size_t c = 0; c < body.components.size(); ++c) {
+    Component& component = body.components[c];
+    const bool is_short = component.num_frames > 0 && component.num_frames < num_frames;
+    if (component.kind == ComponentKind::Other || !is_short) continue;
+    const double seconds = static_cast<double>(num_frames - component.num_frames) / frame_rate;
+    // A frame stands for the time until the next one would come.
+    constexpr double kRounding = 1e-6;
+    const bool is_within_frame = seconds <= periods[c] * (1 + kRounding);
+    diagnostics.add(is_within_frame ? Severity::Note : Severity::Warning, "RTM010",
+                    fmt::format("'{}' ends {:.6g} s before the other components; its last values "
+                                "are held",
+                                component.content, seconds));
+    const auto row = component.row(component.num_frames - 1);
+    const std::vector<double> last(row.begin(), row.end());
+    for (; component.num_frames < num_frames; ++component.num_frames) {
+      component.values.append(last);
+    }
+  }
 }
 
 }  // namespace
@@ -78,8 +113,14 @@ Result<void> resample(Document& document, double frame_rate, const RetimeOptions
     return apply(motion, *map, options, diagnostics);
   };
   BodyMotion* body = std::get_if<BodyMotion>(&document.content);
-  return body != nullptr ? change_components(*body, false, resampled)
-                         : change_motion(document, resampled);
+  if (body == nullptr) return change_motion(document, resampled);
+  std::vector<double> periods;
+  for (const Component& component : body->components) {
+    periods.push_back(frame_time(component.timeline));
+  }
+  if (auto changed = change_components(*body, false, resampled); !changed) return changed;
+  hold_to_one_end(*body, periods, frame_rate, diagnostics);
+  return {};
 }
 
 }  // namespace kinefile::retime

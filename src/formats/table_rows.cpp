@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 #include "formats/table_rate.hpp"
 
@@ -40,6 +41,55 @@ std::vector<double> half_digits_of(const text::Source& source, const TableRows& 
   return halves;
 }
 
+/// Where times jump by two usual steps or more.
+struct Gaps {
+  double step = 0;        ///< the usual one; 0 if most steps are not of one size
+  std::size_t count = 0;  ///< of gaps
+  std::size_t row = 0;    ///< the first row after one
+};
+
+Gaps gaps_of(std::span<const double> times) {
+  constexpr double kLoose = 0.1;  // of a step
+  constexpr double kGap = 1.9;    // steps
+  Gaps gaps;
+  const double usual = median_step(times);
+  std::size_t num_usual = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double step = times[i] - times[i - 1];
+    num_usual += std::abs(step - usual) <= kLoose * usual ? 1 : 0;
+    if (!(step >= kGap * usual)) continue;
+    if (gaps.count++ == 0) gaps.row = i;
+  }
+  if (2 * num_usual >= times.size() - 1) gaps.step = usual;
+  return gaps;
+}
+
+/// Notes rows that are missing among others at equal distances.
+void note_gaps(const text::Source& source, const TableRows& rows, std::span<const double> times,
+               const char* code, Diagnostics& diagnostics) {
+  const Gaps gaps = gaps_of(times);
+  if (gaps.step == 0 || gaps.count == 0) return;
+  std::string message =
+      fmt::format("{:.6g} s pass to this row, where {:.6g} s are usual; the rows keep their times",
+                  times[gaps.row] - times[gaps.row - 1], gaps.step);
+  if (gaps.count > 1) message += fmt::format(" (the first of {} gaps)", gaps.count);
+  text::report(source, diagnostics, Severity::Note, code, std::move(message),
+               rows.starts[gaps.row]);
+}
+
+/// Notes times that are hardly seconds: milliseconds or frame numbers.
+void note_slow(const text::Source& source, const TableRows& rows, std::span<const double> times,
+               const char* code, Diagnostics& diagnostics) {
+  constexpr double kSlow = 1;  // s
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  if (step < kSlow) return;
+  text::report(source, diagnostics, Severity::Note, code,
+               fmt::format("expected seconds, found times {:.6g} s apart in the mean, which makes "
+                           "{:.6g} rows a second; --fps says another rate",
+                           step, 1 / step),
+               rows.starts[1]);
+}
+
 }  // namespace
 
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
@@ -55,8 +105,12 @@ std::optional<Timeline> timeline_of_rows(const text::Source& source, const Table
                  source.text().data());
     return Timeline{FrameRate{30}, 0};
   }
+  note_slow(source, rows, *times, codes.slow, diagnostics);
   const auto rate = rate_of_times(*times, half_digits_of(source, rows));
-  if (!rate) return Timeline{FrameTimes{std::move(*times)}, 0};
+  if (!rate) {
+    note_gaps(source, rows, *times, codes.gap, diagnostics);
+    return Timeline{FrameTimes{std::move(*times)}, 0};
+  }
   if (std::abs(times->front()) * *rate > kStart) {
     text::report(
         source, diagnostics, Severity::Note, codes.late_start,

@@ -23,6 +23,8 @@ struct TableTimeCodes {
   const char* not_rising;  ///< an error: a time that is not above the one before, or not finite
   const char* no_rate;     ///< a note: fewer than two rows
   const char* late_start;  ///< a note: the first time is not 0; times are counted from 0
+  const char* gap;         ///< a note: rows are missing at a place
+  const char* slow;        ///< a note: a second or more from row to row
 };
 
 /// The rate from a table's times (see `rate_of_times`). It is a whole number if it is within a

@@ -9,24 +9,13 @@
 #include "base/words.hpp"
 #include "kinefile/robot.hpp"
 #include "kinematics/rotation_batches.hpp"
+#include "model/part_names.hpp"
 
 namespace kinefile::robot {
 namespace {
 
 constexpr std::array<const char*, 7> kFreeChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 constexpr std::array<const char*, 6> kRpyChannels = {"x", "y", "z", "roll", "pitch", "yaw"};
-
-std::string part_name(const Component& component, std::size_t part) {
-  if (part < component.part_names.size()) return component.part_names[part];
-  if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
-    return fmt::format("link{}", part);
-  }
-  if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
-    return fmt::format("joint{}", part);
-  }
-  if (component.kind != ComponentKind::Vectors) return fmt::format("{}{}", component.content, part);
-  return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
-}
 
 void add_column(Skeleton& skeleton, const char* channel) {
   skeleton.coordinates.push_back({skeleton.joints.size() - 1, channel});
@@ -73,14 +62,19 @@ void append_parts(const Skeleton& from, Skeleton& to) {
   }
 }
 
-/// Whether frames with the same number belong together: always if both have equal intervals,
-/// otherwise only if they have the same times.
-bool are_together(const Component& a, const Component& b) {
-  const bool has_times = has_own_times(a.timeline) || has_own_times(b.timeline);
-  return !has_times || have_same_times(a.timeline, b.timeline);
-}
-
 }  // namespace
+
+std::string name_of_part(const Component& component, std::size_t part) {
+  if (part < component.part_names.size()) return component.part_names[part];
+  if (component.kind == ComponentKind::Poses && component.content == kLinkPosition) {
+    return fmt::format("link{}", part);
+  }
+  if (component.kind == ComponentKind::Values && component.content == kJointDisplacement) {
+    return fmt::format("joint{}", part);
+  }
+  if (component.kind != ComponentKind::Vectors) return numbered_part(component.content, part);
+  return component.content + (component.is_root_relative ? std::string(kRootRelativeSuffix) : "");
+}
 
 Motion motion_of_component(const Component& component) {
   Motion motion;
@@ -89,7 +83,7 @@ Motion motion_of_component(const Component& component) {
   skeleton.metres_per_unit = 1;
   skeleton.up = 2;
   for (std::size_t part = 0; part < component.num_parts; ++part) {
-    skeleton.joints.emplace_back().name = part_name(component, part);
+    skeleton.joints.emplace_back().name = name_of_part(component, part);
     if (component.kind == ComponentKind::Poses) {
       add_pose(skeleton, component.pose_form);
     } else {
@@ -143,27 +137,57 @@ void put_side_by_side(const Motion& motion, std::span<Component* const> componen
   }
 }
 
-Motion motion_of_components(const BodyMotion& motion, Diagnostics& diagnostics) {
-  const Component* main = main_component(motion);
+bool agree(const Component& a, const Component& b) {
+  return a.num_frames == b.num_frames && have_same_times(a.timeline, b.timeline);
+}
+
+const Component* find_disagreement(const BodyMotion& motion) {
+  const Component* const main = main_component(motion);
+  const auto found = std::find_if(
+      motion.components.begin(), motion.components.end(),
+      [&](const Component& one) { return one.kind != ComponentKind::Other && !agree(one, *main); });
+  return found == motion.components.end() ? nullptr : &*found;
+}
+
+std::string words_of_disagreement(const Component& component, const Component& main) {
+  return fmt::format("{} frame{} at {:.6g} a second of '{}' beside {} at {:.6g} of '{}'",
+                     component.num_frames, component.num_frames == 1 ? "" : "s",
+                     nominal_frame_rate(component.timeline), component.content, main.num_frames,
+                     nominal_frame_rate(main.timeline), main.content);
+}
+
+Result<Motion> motion_of_components(const BodyMotion& motion, bool lenient,
+                                    Diagnostics& diagnostics) {
+  const Component* const main = main_component(motion);
+  if (main == nullptr) {
+    return fail(make_error(ErrorKind::Usage, "BRG010",
+                           "expected components to put side by side, found none"));
+  }
+  const Component* const other = find_disagreement(motion);
+  if (other != nullptr && !lenient) {
+    return fail(
+        ErrorKind::DataLoss, "BRG021",
+        fmt::format("expected components of one length and rate, found {}; 'kinefile "
+                    "resample --fps {:.6g}' brings them to one, --lenient leaves some out",
+                    words_of_disagreement(*other, *main), nominal_frame_rate(main->timeline)));
+  }
   std::vector<const Component*> parts;
   std::vector<std::string> left_out;
   for (const Component& component : motion.components) {
-    const bool is_known = component.kind != ComponentKind::Other;
-    if (is_known && component.num_frames == main->num_frames && are_together(component, *main)) {
+    if (component.kind != ComponentKind::Other && agree(component, *main)) {
       parts.push_back(&component);
     } else {
       left_out.push_back(component.content);
     }
   }
   if (!left_out.empty()) {
-    diagnostics.add(
-        Severity::Warning, "BRG014",
-        fmt::format(
-            "components of another length, at other times or of unknown type are left out: {}",
-            listed(left_out)));
+    diagnostics.add(Severity::Warning, "BRG014",
+                    fmt::format("components of {}unknown type are left out: {}",
+                                other != nullptr ? "another length, at other times or of " : "",
+                                listed(left_out)));
   }
   Motion all = side_by_side(parts);
-  if (!parts.empty()) all.clip.timeline = main->timeline;
+  all.clip.timeline = main->timeline;
   return all;
 }
 

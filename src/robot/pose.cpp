@@ -43,28 +43,27 @@ Result<std::size_t> settle_frames(const Recorded& recorded, bool lenient,
   const Component& main = recorded.links != nullptr ? *recorded.links : *recorded.joints;
   if (recorded.links == nullptr || recorded.joints == nullptr) return main.num_frames;
   const std::size_t num_joint_frames = recorded.joints->num_frames;
-  if (num_joint_frames > main.num_frames) {
-    warn(diagnostics, fmt::format("there are {} frames of joints and {} of links; the motion has "
-                                  "as many as those",
-                                  num_joint_frames, main.num_frames));
-  } else if (num_joint_frames < main.num_frames) {
+  const bool is_same_rate = have_same_times(recorded.joints->timeline, main.timeline);
+  if (num_joint_frames > main.num_frames || !is_same_rate) {
+    const std::string found = words_of_disagreement(*recorded.joints, main);
+    if (!lenient) {
+      return fail(ErrorKind::DataLoss, "BRG021",
+                  fmt::format("expected joints and links of one length and rate, found {}; "
+                              "'kinefile resample --fps {:.6g}' brings them to one, --lenient goes "
+                              "by the numbers of the frames",
+                              found, nominal_frame_rate(main.timeline)));
+    }
+    warn(diagnostics, fmt::format("there are {}; frames belong together by their numbers, as many "
+                                  "as there are of links",
+                                  found));
+  }
+  if (num_joint_frames < main.num_frames) {
     const std::string message = fmt::format("expected {} frames of joints, as of links, found {}",
                                             main.num_frames, num_joint_frames);
     if (!lenient || num_joint_frames == 0) {
       return fail(make_error(ErrorKind::InvalidInput, "BRG011", message));
     }
     diagnostics.add(Severity::Warning, "BRG011", message + "; the last one is held");
-  }
-  const bool has_times = has_own_times(recorded.joints->timeline) || has_own_times(main.timeline);
-  if (has_times && !have_same_times(recorded.joints->timeline, main.timeline)) {
-    const char* const message = "expected joints at the times of the links, found others";
-    if (!lenient) return fail(make_error(ErrorKind::InvalidInput, "BRG011", message));
-    warn(diagnostics, fmt::format("{}; frames belong together by their numbers", message));
-  } else if (!have_same_rate(recorded.joints->timeline, main.timeline)) {
-    warn(diagnostics,
-         fmt::format("joints have {} frames a second, links {}; frames belong "
-                     "together by their numbers",
-                     frame_rate(recorded.joints->timeline), frame_rate(main.timeline)));
   }
   return main.num_frames;
 }

@@ -91,7 +91,11 @@ TEST(Properties, WhatIsWrittenReadsTheSame) {
   Random random(11);
   for (int i = 0; i < 300; ++i) {
     const ReadText first = read_random_motion(random);
-    ASSERT_EQ(first.diagnostics.count(Severity::Warning), 0u) << text_of(first.diagnostics);
+    for (const Diagnostic& item : first.diagnostics.items()) {
+      // Channels are random, so that some stand twice.
+      const bool is_expected = item.severity == Severity::Note || item.code == "BVH039";
+      ASSERT_TRUE(is_expected) << text_of(first.diagnostics);
+    }
     const std::string text = write_to_string(*first.document);
     ReadOptions options;
     const bool is_added = fact_of(*first.document, "positions") == "add";

@@ -132,11 +132,15 @@ TEST(BodyBridge, AMimicJointThatWasRecordedElsewhereIsToldAndFollows) {
   EXPECT_EQ(rounded->clip.row(0)[9], -0.1000005) << "as it was recorded";
 }
 
-TEST(BodyBridge, LongerJointsAreCutAndShorterOnesRefusedOrHeld) {
+TEST(BodyBridge, JointsOfAnotherLengthAreRefusedOrCutOrHeld) {
   BodyMotion body{{root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 2,
                                                   {0.1, 0, 0.2, 0, 0.3, 0})}};
   Diagnostics diagnostics;
-  const auto cut = robot::pose(body, robot(), false, diagnostics);
+  const auto too_long = robot::pose(body, robot(), false, diagnostics);
+  ASSERT_FALSE(too_long);
+  EXPECT_EQ(too_long.error().code, "BRG021");
+  EXPECT_EQ(too_long.error().kind, ErrorKind::DataLoss);
+  const auto cut = robot::pose(body, robot(), true, diagnostics);
   ASSERT_TRUE(cut);
   EXPECT_EQ(cut->clip.num_frames, 2u);
   EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG014"});
@@ -148,6 +152,37 @@ TEST(BodyBridge, LongerJointsAreCutAndShorterOnesRefusedOrHeld) {
   const auto held = robot::pose(body, robot(), true, diagnostics);
   ASSERT_TRUE(held);
   EXPECT_EQ(held->clip.row(4)[7], 0.3);
+}
+
+TEST(BodyBridge, ComponentsOfDifferentRatesAreRefusedOrTakenByTheirNumbers) {
+  BodyMotion body{
+      {root_at(0, 0, 0, 2), component(ComponentKind::Values, kJointDisplacement, 1, {0.1, 0.2})}};
+  body.components[0].timeline = {FrameRate{100}, 0};
+  body.components[1].timeline = {FrameRate{50}, 0};
+  Diagnostics diagnostics;
+  const auto table = robot::motion_of_components(body, false, diagnostics);
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(table.error().code, "BRG021");
+  EXPECT_EQ(table.error().message,
+            "expected components of one length and rate, found 2 frames at 50 a second of "
+            "'JointDisplacement' beside 2 at 100 of 'LinkPosition'; 'kinefile resample --fps 100' "
+            "brings them to one, --lenient leaves some out");
+  const auto on_robot = robot::pose(body, robot(), false, diagnostics);
+  ASSERT_FALSE(on_robot);
+  EXPECT_EQ(on_robot.error().code, "BRG021");
+  EXPECT_TRUE(diagnostics.items().empty());
+  const auto some = robot::motion_of_components(body, true, diagnostics);
+  ASSERT_TRUE(some);
+  EXPECT_EQ(some->clip.num_coordinates, 7u) << "the links alone";
+  EXPECT_EQ(codes_of(diagnostics), std::vector<std::string>{"BRG014"});
+}
+
+TEST(BodyBridge, NoComponentsAreNoTable) {
+  Diagnostics diagnostics;
+  const auto refused = robot::motion_of_components({}, false, diagnostics);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "BRG010");
 }
 
 TEST(BodyBridge, CountsThatAreNotTheModelsAreTold) {

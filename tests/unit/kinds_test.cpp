@@ -203,7 +203,7 @@ TEST(Kinds, EveryOperationTakesOrRefusesEveryBodyMotion) {
     SCOPED_TRACE(named.name);
     Diagnostics diagnostics;
     (void)robot::motion_of_links(*body);
-    (void)robot::motion_of_components(*body, diagnostics);
+    (void)robot::motion_of_components(*body, true, diagnostics);
     (void)robot::zmp(*body, true, diagnostics);
     (void)robot::zmp(*body, false, diagnostics);
     for (const Named& model : all) {

@@ -72,6 +72,24 @@ TEST(Process, WhatFailsWritesNothingAndSaysWhere) {
   EXPECT_EQ(done(job_of("no motion", {}, "y.bvh")).report.error->code, "BVH001");
 }
 
+TEST(Process, ANumberThatBecomesInfiniteIsRefused) {
+  const std::string seq =
+      "type: CompositeSeq\ncontent: BodyMotion\nformatVersion: 2\ncomponents:\n"
+      "  - type: MultiSE3Seq\n    content: LinkPosition\n    SE3Format: XYZRPY\n    numParts: 1\n"
+      "    frameRate: 50\n    frames: [ [ [ 0, 0, 1, 1e307, 0, 0 ] ] ]\n";
+  Job job = job_of(seq, {}, "y.bvh");
+  job.source = "a.seq";
+  const Done refused = done(job);
+  ASSERT_TRUE(refused.report.error);
+  EXPECT_EQ(refused.report.error->code, "CNV011");
+  EXPECT_EQ(refused.report.error->kind, ErrorKind::DataLoss);
+  EXPECT_TRUE(refused.files.empty());
+  // What was not finite before may stay so.
+  const std::string odd = test::replaced(seq, "1e307", ".inf");
+  job.bytes = odd;
+  EXPECT_FALSE(done(job).report.error);
+}
+
 /// The axis that points up in a walk on its way to a format of motions in which z does.
 std::size_t up_in_format_of_z(const KindOptions& options) {
   Format format;

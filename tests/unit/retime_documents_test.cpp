@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/robots.hpp"
 #include "support/support.hpp"
 #include "walk.hpp"
@@ -106,11 +108,32 @@ TEST(RetimeDocuments, EveryComponentIsResampledFromItsOwnRate) {
   Document document{body, "", {}};
   ASSERT_TRUE(retime::resample(document, 20, {}, diagnostics));
   const BodyMotion& resampled = std::get<BodyMotion>(document.content);
-  EXPECT_EQ(resampled.components[0].num_frames, 5u);
   EXPECT_EQ(resampled.components[1].num_frames, 9u);
+  // The one that ends 0.2 s earlier, two of its frames, holds its last values, with a warning.
+  EXPECT_EQ(resampled.components[0].num_frames, 9u);
+  EXPECT_TRUE(std::ranges::equal(resampled.components[0].row(8), resampled.components[0].row(4)));
+  EXPECT_EQ(diagnostics.count(Severity::Warning), 1u);
   Document walk = walk_of(61);
   ASSERT_TRUE(retime::resample(walk, 30, {}, diagnostics));
   EXPECT_EQ(std::get<Motion>(walk.content).clip.num_frames, 31u);
+}
+
+TEST(RetimeDocuments, ComponentsThatLastAsLongButForAFrameAreBroughtToOneWithANote) {
+  Diagnostics diagnostics;
+  BodyMotion body = hinge_motion({0, 1, 2, 3, 4, 5});  // 0.5 s
+  body.components[1] = hinge_motion({0, 1, 2}).components[1];
+  body.components[1].timeline = {FrameRate{5}, 0};  // 0.4 s
+  Document document{body, "", {}};
+  ASSERT_TRUE(retime::resample(document, 10, {}, diagnostics));
+  const BodyMotion& resampled = std::get<BodyMotion>(document.content);
+  ASSERT_EQ(resampled.components[1].num_frames, 6u);
+  EXPECT_EQ(resampled.components[1].values[3], 1.5);
+  EXPECT_EQ(resampled.components[1].values[5], 2);
+  EXPECT_TRUE(robot::motion_of_components(resampled, false, diagnostics));
+  ASSERT_EQ(diagnostics.items().size(), 1u);
+  EXPECT_EQ(diagnostics.items()[0].severity, Severity::Note);
+  EXPECT_EQ(diagnostics.items()[0].message,
+            "'JointDisplacement' ends 0.1 s before the other components; its last values are held");
 }
 
 TEST(RetimeDocuments, AlignsMotionsAlone) {

@@ -127,9 +127,16 @@ Mat3 rotation_of(const Orientation& orientation, AngleUnit unit) {
   return rotation;
 }
 
+double length_of(const Vec3& vector) {
+  // Scaling rounds, so it is done only where it must be.
+  constexpr double kLeast = 1e-140, kMost = 1e140;
+  const double length = vector.norm();
+  return length > kLeast && length < kMost ? length : vector.stableNorm();
+}
+
 Vec3 end_of(const Bone& bone) {
   const Vec3 direction(bone.direction[0], bone.direction[1], bone.direction[2]);
-  const double norm = direction.norm();
+  const double norm = length_of(direction);
   if (!(norm > 0) || !std::isfinite(norm)) return Vec3::Zero();
   return direction / norm * bone.length;
 }
@@ -175,7 +182,7 @@ Skeleton bind(const AsfFile& file, const BindOptions& options) {
     joint.kept = kept_bone(bone);
     skeleton.joints.push_back(std::move(joint));
     const Mat3 axes = rotation_of(bone.axis, unit);
-    const Vec3 along = end.norm() > 0 ? end.normalized() : Vec3::UnitY();
+    const Vec3 along = end.isZero(0) ? Vec3(Vec3::UnitY()) : Vec3(end / length_of(end));
     const bool is_forced = options.forces_3dof && !bone.dofs.empty();
     add_dofs(skeleton, index, is_forced ? forced_dofs(bone.dofs) : bone.dofs, bone.limits,
              {axes, axes, along});

@@ -22,6 +22,9 @@ struct BindOptions {
 /// The rotation of an orientation: "XYZ" gives Rz Ry Rx. Whole quarter turns are exact.
 Mat3 rotation_of(const Orientation& orientation, AngleUnit unit);
 
+/// The length of a vector, also where its square is infinite or 0.
+double length_of(const Vec3& vector);
+
 /// Where a bone ends, in its own frame, which has the world's axes in the rest pose.
 Vec3 end_of(const Bone& bone);
 

@@ -29,6 +29,10 @@ inline constexpr char kNotExpressible[] = "ASF020";
 inline constexpr char kBadUnit[] = "ASF021";
 inline constexpr char kBadName[] = "ASF022";
 inline constexpr char kMotionLeftOut[] = "ASF023";
+inline constexpr char kNotSaid[] = "ASF024";
+inline constexpr char kNegativeLength[] = "ASF025";
+inline constexpr char kSwappedLimits[] = "ASF026";
+inline constexpr char kLikeDegrees[] = "ASF027";
 
 inline constexpr char kNoSkeleton[] = "AMC001";
 inline constexpr char kSkeletonFound[] = "AMC002";

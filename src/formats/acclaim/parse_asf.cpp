@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/words.hpp"
 #include "formats/acclaim/codes.hpp"
@@ -14,6 +15,10 @@ namespace kinefile::acclaim {
 
 using text::equals_ignoring_case;
 using text::quoted;
+
+namespace {
+constexpr double kTurn = 2 * std::numbers::pi;  // radians
+}
 
 bool parse_numbers(Parser& parser, const std::string& what, double* out, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -148,7 +153,26 @@ void parse_units(Parser& parser, AsfFile& file) {
   }
 }
 
-void parse_root(Parser& parser, AsfFile& file) {
+bool has_word(const std::vector<std::string>& seen, const char* word) {
+  return std::find(seen.begin(), seen.end(), word) != seen.end();
+}
+
+/// Notes what the root does not say.
+/// \param seen  its words, in lower case
+void note_missing_words(Parser& parser, const Root& root, const std::vector<std::string>& seen,
+                        const char* at) {
+  if (!has_word(seen, "order")) {
+    parser.note_not_said("the root has no order of its values; it does not move", at);
+  }
+  const bool turns = std::any_of(root.order.begin(), root.order.end(), is_rotation) ||
+                     root.orientation.angles != std::array<double, 3>{};
+  if (turns && !has_word(seen, "axis")) {
+    parser.note_not_said("the root has no axis, the order of its angles; it is taken to be XYZ",
+                         at);
+  }
+}
+
+void parse_root(Parser& parser, AsfFile& file, const char* at) {
   std::vector<std::string> seen;
   while (true) {
     const std::string_view word = parser.lexer.peek();
@@ -176,12 +200,14 @@ void parse_root(Parser& parser, AsfFile& file) {
   }
   const auto length = std::find(file.root.order.begin(), file.root.order.end(), DofWord::Length);
   if (length != file.root.order.end()) file.root.order.erase(length);  // the root has no length
+  if (!parser.diagnostics.has_errors()) note_missing_words(parser, file.root, seen, at);
 }
 
 /// The sections that were read so far.
 struct Sections {
   bool root = false;
   bool bones = false;
+  const char* units_at = nullptr;      ///< the keyword
   const char* hierarchy_at = nullptr;  ///< after the keyword
   std::vector<std::string> seen;
   std::vector<bool> has_parent;
@@ -203,11 +229,12 @@ void parse_section(Parser& parser, AsfFile& file, Sections& sections) {
     file.name = parser.lexer.take_line();
   } else if (equals_ignoring_case(word, "units")) {
     parse_units(parser, file);
+    sections.units_at = keyword.data();
   } else if (equals_ignoring_case(word, "documentation")) {
     file.documentation = take_section_text(parser);
   } else if (equals_ignoring_case(word, "root")) {
     sections.root = true;
-    parse_root(parser, file);
+    parse_root(parser, file, keyword.data());
   } else if (equals_ignoring_case(word, "bonedata")) {
     sections.bones = true;
     file.bones.clear();  // of an earlier section: the later one is used
@@ -284,6 +311,46 @@ void check_reachable(Parser& parser, AsfFile& file, const Sections& sections) {
   }
 }
 
+/// An angle of the skeleton beyond a full turn of radians; nothing if there is none.
+std::optional<double> angle_beyond_a_turn(const Bone& bone) {
+  const auto is_beyond = [](double angle) {
+    return std::isfinite(angle) && std::abs(angle) > kTurn;
+  };
+  for (const double angle : bone.axis.angles) {
+    if (is_beyond(angle)) return angle;
+  }
+  for (std::size_t i = 0; i < std::min(bone.limits.size(), bone.dofs.size()); ++i) {
+    if (!is_rotation(bone.dofs[i])) continue;
+    for (const double limit : {bone.limits[i].low, bone.limits[i].high}) {
+      if (is_beyond(limit)) return limit;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Notes units that the file does not say, and warns of radians that look like degrees.
+void check_units(Parser& parser, const AsfFile& file, const Sections& sections) {
+  const char* const at =
+      sections.units_at != nullptr ? sections.units_at : parser.source.text().data();
+  if (!file.length) {
+    parser.note_not_said("the file does not say its unit of length; it is taken to be 1", at);
+  }
+  if (!file.angle) {
+    parser.note_not_said("the file does not say its unit of angles; degrees are assumed", at);
+  }
+  if (file.angle != AngleUnit::Radians) return;
+  for (const Bone& bone : file.bones) {
+    const auto angle = angle_beyond_a_turn(bone);
+    if (!angle) continue;
+    parser.warn(code::kLikeDegrees,
+                fmt::format("expected radians, as the file says, found {} for bone '{}', which "
+                            "looks like degrees",
+                            *angle, bone.name),
+                bone.at);
+    return;
+  }
+}
+
 /// The lines before the first section: comments, unchanged.
 std::string leading_comments(std::string_view text) {
   std::string comments;
@@ -328,6 +395,7 @@ AsfFile parse_asf(const text::Source& source, bool lenient, Diagnostics& diagnos
   finish_hierarchy(parser, file, sections);
   check_sections(parser, sections);
   check_reachable(parser, file, sections);
+  if (!diagnostics.has_errors()) check_units(parser, file, sections);
   return file;
 }
 

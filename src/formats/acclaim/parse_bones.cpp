@@ -25,8 +25,9 @@ struct BoneParts {
   const char* begin = nullptr;
   const char* name_at = nullptr;
   const char* direction_at = nullptr;
+  const char* length_at = nullptr;
   const char* limits_at = nullptr;
-  bool has_length = false;
+  bool has_axis = false;
   bool is_broken = false;  ///< a fault has been reported already
   std::vector<std::string> seen = {};
 };
@@ -88,9 +89,10 @@ bool parse_bone_word(Parser& parser, Bone& bone, BoneParts& parts) {
     parts.direction_at = word.data();
     is_good = parse_numbers(parser, "3 numbers after direction", bone.direction.data(), 3);
   } else if (equals_ignoring_case(word, "length")) {
-    parts.has_length = true;
+    parts.length_at = word.data();
     is_good = parse_numbers(parser, "a number after length", &bone.length, 1);
   } else if (equals_ignoring_case(word, "axis")) {
+    parts.has_axis = true;
     is_good = parse_orientation(parser, bone.axis, true);
   } else if (equals_ignoring_case(word, "dof")) {
     bone.dofs = parse_dofs(parser);
@@ -127,6 +129,34 @@ void check_direction(Parser& parser, const Bone& bone, const BoneParts& parts) {
       parts.direction_at);
 }
 
+/// Warns of limits whose first number is above the second.
+void check_limits(Parser& parser, const Bone& bone, const BoneParts& parts) {
+  const auto swapped = std::find_if(bone.limits.begin(), bone.limits.end(),
+                                    [](const Limit& limit) { return limit.low > limit.high; });
+  if (swapped == bone.limits.end()) return;
+  parser.warn(code::kSwappedLimits,
+              fmt::format("expected limits of bone '{}' with the lower one first, found ({} {})",
+                          bone.name, swapped->low, swapped->high),
+              parts.limits_at);
+}
+
+/// Notes or warns of what no error needs.
+void check_values(Parser& parser, const Bone& bone, const BoneParts& parts) {
+  if (bone.length < 0) {
+    parser.warn(code::kNegativeLength,
+                fmt::format("expected a length from 0 up for bone '{}', found {}; the bone points "
+                            "against its direction",
+                            bone.name, bone.length),
+                parts.length_at);
+  }
+  if (!parts.has_axis && std::any_of(bone.dofs.begin(), bone.dofs.end(), is_rotation)) {
+    parser.note_not_said(
+        fmt::format("bone '{}' turns and has no axis; it is taken to be 0 0 0 XYZ", bone.name),
+        parts.begin);
+  }
+  check_limits(parser, bone, parts);
+}
+
 /// Reports missing parts of the bone. Returns whether it can be used.
 bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
   Parser& parser = bones.parser;
@@ -143,11 +173,11 @@ bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
                  parts.name_at);
     return false;
   }
-  const bool has_end = parts.direction_at != nullptr && parts.has_length;
+  const bool has_end = parts.direction_at != nullptr && parts.length_at != nullptr;
   if (!has_end &&
       !parser.repair(code::kIncompleteBone,
                      fmt::format("expected direction and length for bone '{}', found {}", bone.name,
-                                 parts.has_length                ? "no direction"
+                                 parts.length_at != nullptr      ? "no direction"
                                  : parts.direction_at != nullptr ? "no length"
                                                                  : "neither"),
                      "the bone has no length", parts.begin)) {
@@ -166,6 +196,7 @@ bool check_bone(Bones& bones, Bone& bone, BoneParts& parts) {
                             bone.dofs.size(), bone.name, bone.limits.size()),
                 parts.limits_at);
   }
+  check_values(parser, bone, parts);
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/acclaim/codes.hpp"
 #include "formats/acclaim/lexer.hpp"
 #include "formats/acclaim/syntax.hpp"
 #include "kinefile/diagnostics.hpp"
@@ -28,6 +29,10 @@ struct Parser {
   }
   void warn(const char* code, std::string message, const char* at) {
     report(Severity::Warning, code, std::move(message), at);
+  }
+  /// Notes what the file does not say, and what is taken for it.
+  void note_not_said(std::string message, const char* at) {
+    report(Severity::Note, code::kNotSaid, std::move(message), at);
   }
   /// Reports a fault that `--lenient` repairs: an error, or a warning that describes the repair.
   /// Returns whether it is repaired.

@@ -162,7 +162,7 @@ bool says_axes(const Orientation& axis, const std::vector<Worded>& worded, Angle
 
 void set_end(Bone& bone, const Vec3& end) {
   if (end_of(bone) == end) return;
-  bone.length = end.norm();
+  bone.length = length_of(end);
   const Vec3 direction = bone.length > 0 ? Vec3(end / bone.length) : Vec3::UnitY();
   bone.direction = {direction[0], direction[1], direction[2]};
 }
@@ -228,6 +228,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, AngleUnit 
   bone.name = joint.name;
   const Vec3 end = joint.tips.front().offset;
   set_end(bone, end);
+  if (!std::isfinite(bone.length))
+    return fail(not_expressible(joint, "has a length beyond numbers"));
   auto worded = words_of(skeleton, joint, WordsFrom::Columns);
   if (!worded) return fail(std::move(worded.error()));
   const bool has_own_axes = says_axes(bone.axis, *worded, unit);
@@ -242,8 +244,8 @@ Result<Bone> unbind_bone(const Skeleton& skeleton, std::size_t index, AngleUnit 
   }
   order_by_columns(*worded);
   for (const Worded& one : *worded) {
-    const bool is_along = one.word != DofWord::Length || end.norm() == 0 ||
-                          one.dof->axis.isApprox(end.normalized(), kSquareTolerance);
+    const bool is_along = one.word != DofWord::Length || end.isZero(0) ||
+                          one.dof->axis.isApprox(end / length_of(end), kSquareTolerance);
     if (!is_along) return fail(not_expressible(joint, "grows along another line than its bone"));
   }
   const std::vector<DofWord> dofs = dofs_of(*worded);
@@ -281,6 +283,7 @@ Result<Root> unbind_root(const Skeleton& skeleton, AngleUnit unit,
     return fail(not_expressible(joint, "moves about or along other axes than x, y and z"));
   }
   order_by_columns(*worded);
+  if (!joint.offset.allFinite()) return fail(not_expressible(joint, "rests at no finite place"));
   Root root;
   root.position = {joint.offset[0], joint.offset[1], joint.offset[2]};
   root.order = dofs_of(*worded);

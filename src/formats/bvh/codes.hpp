@@ -44,5 +44,6 @@ inline constexpr char kPositionsDoubtful[] = "BVH035";
 inline constexpr char kNotExpressible[] = "BVH036";
 inline constexpr char kPositionsAdded[] = "BVH037";
 inline constexpr char kUnusualFrameTime[] = "BVH038";
+inline constexpr char kChannelTwice[] = "BVH039";
 
 }  // namespace kinefile::bvh::code

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -166,6 +167,32 @@ void parse_offset(Hierarchy& h, std::string_view keyword) {
   }
 }
 
+/// Whether a channel can follow others: one direction has one position and one scale, and no order
+/// of rotations has a letter twice in a row, though ZXZ has one twice.
+bool can_follow(std::span<const Channel> before, const Channel& channel) {
+  if (channel.kind == ChannelKind::Unknown) return true;
+  for (auto other = before.rbegin(); other != before.rend(); ++other) {
+    if (other->kind != channel.kind) continue;
+    if (other->axis == channel.axis) return false;
+    if (channel.kind == ChannelKind::Rotation) return true;
+  }
+  return true;
+}
+
+/// Warns of the first channel of a joint that its list names again.
+void check_channels_differ(Hierarchy& h, const Node& node) {
+  const std::span<const Channel> all(node.channels);
+  for (std::size_t c = 1; c < all.size(); ++c) {
+    if (can_follow(all.first(c), all[c])) continue;
+    h.parser.report(Severity::Warning, code::kChannelTwice,
+                    fmt::format("expected another channel of '{}' here, found {} again; both are "
+                                "read",
+                                node.name, quoted(all[c].word)),
+                    all[c].word.data());
+    return;
+  }
+}
+
 /// Reads the words of a CHANNELS list, which may continue in the next line.
 void take_channel_words(Hierarchy& h, Node& node, std::size_t claim) {
   while (true) {
@@ -247,6 +274,7 @@ void parse_channels(Hierarchy& h, std::string_view keyword) {
                                 num_words, num_words == 1 ? "name follows" : "names follow"),
                     token.data());
   }
+  if (h.parser.is_structure_sound) check_channels_differ(h, node);
 }
 
 void close_block(Hierarchy& h) {

@@ -34,5 +34,7 @@ inline constexpr char kCannotWrite[] = "SEQ027";
 inline constexpr char kRateFound[] = "SEQ028";
 inline constexpr char kNoRotation[] = "SEQ029";
 inline constexpr char kOtherLength[] = "SEQ030";
+inline constexpr char kFrameCountDiffers[] = "SEQ031";
+inline constexpr char kUnusualRate[] = "SEQ032";
 
 }  // namespace kinefile::choreonoid::code

@@ -69,6 +69,31 @@ std::string keep_unknown(const Reader& reader, const Node& node) {
   return lines;
 }
 
+/// Notes a numFrames that is not the count of frames: only the frames themselves count.
+/// \param node  its number; null: there is none
+void note_frame_count(const Reader& reader, const Node* node, std::size_t num_frames) {
+  if (node == nullptr) return;
+  const auto count =
+      node->kind == NodeKind::Scalar ? text::parse_count(node->text) : std::optional<std::size_t>();
+  if (count == num_frames) return;
+  reader.tell(
+      Severity::Note, code::kFrameCountDiffers,
+      fmt::format("numFrames is {}, but there are {} frames, which are read",
+                  node->kind == NodeKind::Scalar ? quoted(node->text) : "no number", num_frames),
+      node->at);
+}
+
+/// Notes a rate that is hardly meant: the seconds of a frame in the place of the rate, or the like.
+void note_unusual_rate(const Reader& reader, double rate, const Node& node) {
+  constexpr double kLowest = 1, kHighest = 1e4;
+  if (reader.options.fps || (rate > kLowest && rate <= kHighest)) return;
+  reader.tell(Severity::Note, code::kUnusualRate,
+              fmt::format("expected frames a second, found {}, which makes {:.6g} s a frame; --fps "
+                          "says another rate",
+                          quoted(node.text), 1 / rate),
+              node.at);
+}
+
 /// Reads one component; missing keys may be at the top of the file.
 class ComponentParser {
  public:
@@ -153,6 +178,7 @@ class ComponentParser {
     if (!rate) return;
     if (*rate > 0 && std::isfinite(*rate) && std::isfinite(1 / *rate)) {
       component_.frame_rate = rate;
+      note_unusual_rate(reader_, *rate, *node);
     } else if (!reader_.options.fps) {
       reader_.error(code::kBadRate,
                     fmt::format("expected frames a second above 0, found {}; --fps says otherwise",
@@ -284,7 +310,11 @@ class ComponentParser {
                       node_.at);
       }
     }
-    if (knows_shape) choreonoid::parse_frames(reader_, *frames, component_);
+    if (!knows_shape) return;
+    const std::size_t num_errors = reader_.diagnostics.count(Severity::Error);
+    choreonoid::parse_frames(reader_, *frames, component_);
+    if (reader_.diagnostics.count(Severity::Error) > num_errors) return;
+    note_frame_count(reader_, find_key(node_, kNumFrames), component_.num_frames);
   }
 
   const Reader& reader_;
@@ -293,6 +323,17 @@ class ComponentParser {
   const SeqFile& file_;
   SeqComponent component_;
 };
+
+/// Notes a numFrames at the top that is the count of none of the components.
+void note_top_frame_count(const Reader& reader, const Node& top, const SeqFile& file) {
+  const Node* const node = find_key(top, kNumFrames);
+  if (node == nullptr || file.components.empty()) return;
+  const auto count = text::parse_count(node->text);
+  const bool is_known =
+      std::any_of(file.components.begin(), file.components.end(),
+                  [&](const SeqComponent& one) { return count == one.num_frames; });
+  if (!is_known) note_frame_count(reader, node, file.components.front().num_frames);
+}
 
 void parse_version(const Reader& reader, const Node& top, SeqFile& file) {
   const Node* node = find_key(top, kVersion);
@@ -381,6 +422,7 @@ SeqFile parse(const Reader& reader) {
   if (components->rows) {
     reader.error(code::kNoComponents, "expected a mapping a component", components->at);
   }
+  if (!reader.diagnostics.has_errors()) note_top_frame_count(reader, top, file);
   return file;
 }
 

@@ -6,109 +6,224 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <span>
 
 #include "base/words.hpp"
+#include "model/part_names.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::csv {
 namespace {
 
 constexpr std::array<std::string_view, 7> kPoseChannels = {"x", "y", "z", "qw", "qx", "qy", "qz"};
-/// The columns of a robot's root, before those of its joints.
+constexpr std::array<std::string_view, 6> kRpyChannels = {"x", "y", "z", "roll", "pitch", "yaw"};
+constexpr std::size_t kPointChannels = 3;
 
-/// The name and the channel of a column, "HEAD.q" or "HEAD".
-std::pair<std::string, std::string> split_name(const std::string& header) {
+/// A column's header at its last dot.
+struct SplitHeader {
+  std::string name;     ///< all of it if there is no dot
+  std::string channel;  ///< in lower case
+};
+
+SplitHeader split_at_dot(const std::string& header) {
   const std::size_t dot = header.rfind('.');
-  const std::string channel = dot == std::string::npos ? "" : lowered(header.substr(dot + 1));
-  const bool is_known = channel == "q" || std::find(kPoseChannels.begin(), kPoseChannels.end(),
-                                                    channel) != kPoseChannels.end();
-  if (!is_known) return {header, "q"};
-  return {header.substr(0, dot), channel};
+  if (dot == std::string::npos) return {header, ""};
+  return {header.substr(0, dot), lowered(header.substr(dot + 1))};
 }
 
-/// The content of a column's values: JointEffort3 belongs to JointEffort, any other name is a joint
-/// value.
-std::string content_of(const std::string& name) {
-  constexpr std::array<std::string_view, 6> kContents = {"JointVelocity", "JointAcceleration",
-                                                         "JointEffort",   "JointTorque",
-                                                         "JointForce",    "JointTemperature"};
-  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-  const std::string content = name.substr(0, digits);
-  const bool is_content = digits < name.size() &&
-                          std::find(kContents.begin(), kContents.end(), content) != kContents.end();
-  return is_content ? content : std::string(kJointDisplacement);
+/// The name of a column of values, "NAME.q" or "NAME".
+std::string name_of_values(const std::string& header) {
+  SplitHeader split = split_at_dot(header);
+  return split.channel == "q" ? std::move(split.name) : header;
 }
 
+/// Whether a channel is q, with or without a joint id, "q3".
+bool is_of_joint_id(std::string_view channel) {
+  return channel.starts_with('q') &&
+         channel.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Whether a column is a figure's: a channel of BVH or a degree of freedom of ASF, but for "l",
+/// which names of left joints end in.
 bool is_of_a_figure(const std::string& header) {
+  constexpr std::array<std::string_view, 6> kDofWords = {"tx", "ty", "tz", "rx", "ry", "rz"};
   const std::string lower = lowered(header);
-  return lower.ends_with("position") || lower.ends_with("rotation") || lower.ends_with("scale");
+  return lower.ends_with("position") || lower.ends_with("rotation") || lower.ends_with("scale") ||
+         is_one_of(split_at_dot(header).channel, kDofWords);
 }
 
-Group& group_of(std::vector<Group>& groups, ComponentKind kind, const std::string& content) {
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-    return group.kind == kind && group.content == content;
-  });
-  if (found != groups.end()) return *found;
-  groups.push_back({kind, content, {}, {}});
-  return groups.back();
+/// Whether the skeleton is that of a robot whose joints have ids.
+bool has_joint_ids(const kinefile::ReadOptions& options) {
+  if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
+  const Skeleton& skeleton = skeleton_of(*options.skeleton);
+  return !skeleton.joints.empty() && moves_freely(skeleton.joints[0]) &&
+         skeleton.coordinates.size() >= kRootColumns;
 }
 
-/// The number of consecutive columns that are x, y, z, qw, ... of the same name.
-std::size_t count_of_pose_channels(const std::vector<text::CsvField>& header, std::size_t first) {
-  const std::string name = split_name(header[first].text).first;
-  std::size_t count = 0;
-  while (count < kPoseChannels.size() && first + count < header.size() &&
-         split_name(header[first + count].text) ==
-             std::pair(name, std::string(kPoseChannels[count]))) {
-    ++count;
+/// Sorts the columns of a table into components.
+class ColumnSorter {
+ public:
+  ColumnSorter(const TableReader& reader, const std::vector<text::CsvField>& header)
+      : reader_(reader), header_(header) {}
+
+  /// Empty after an error.
+  std::vector<Group> sort() {
+    for (std::size_t column = 1; column < header_.size();) {
+      const std::size_t count = take_columns(column);
+      if (count == 0) return {};
+      column += count;
+    }
+    if (!are_channels_known()) return {};
+    return std::move(groups_);
   }
-  return count;
-}
 
-/// Adds the component that begins at a column to its group.
-/// \returns its number of columns; 0 after an error
-std::size_t take_columns(const TableReader& reader, const std::vector<text::CsvField>& header,
-                         std::size_t first, std::vector<Group>& groups) {
-  const auto split = split_name(header[first].text);
-  const std::string& name = split.first;
-  if (is_of_a_figure(header[first].text)) {
-    reader.error("CSV003",
-                 fmt::format("expected columns of a robot's joints (NAME.q) or links (NAME.x to "
-                             "NAME.qz), found {}: a figure's channels need its skeleton",
-                             text::quoted(header[first].text)),
-                 header[first].at);
+ private:
+  std::size_t error(std::string message, std::size_t column) const {
+    reader_.error("CSV003", std::move(message), header_[column].at);
     return 0;
   }
-  if (split.second == "q") {
-    Group& group = group_of(groups, ComponentKind::Values, content_of(name));
-    group.columns.push_back(first);
+
+  Group& group_of(ComponentKind kind, const std::string& content) {
+    const auto [at, is_new] = index_.try_emplace({kind, content}, groups_.size());
+    if (is_new) groups_.push_back({kind, content, {}, {}});
+    return groups_[at->second];
+  }
+
+  /// Whether the table has no such part yet.
+  bool is_first(ComponentKind kind, const std::string& name) {
+    return known_.insert({kind, name}).second;
+  }
+
+  /// The number of consecutive columns that are these channels of one name.
+  std::size_t count_channels(std::size_t first, std::span<const std::string_view> channels) const {
+    const std::string name = split_at_dot(header_[first].text).name;
+    std::size_t count = 0;
+    for (; count < channels.size() && first + count < header_.size(); ++count) {
+      const SplitHeader split = split_at_dot(header_[first + count].text);
+      if (split.name != name || split.channel != channels[count]) break;
+    }
+    return count;
+  }
+
+  /// Adds the part of a component that begins at a column.
+  /// \returns its number of columns; 0 after an error
+  std::size_t take_columns(std::size_t first) {
+    const std::string& header = header_[first].text;
+    const SplitHeader split = split_at_dot(header);
+    if (split.name.empty()) {
+      return error(fmt::format("expected the name of a column, found {}",
+                               header.empty() ? "nothing" : text::quoted(header)),
+                   first);
+    }
+    if (is_of_a_figure(header)) {
+      return error(fmt::format("expected columns of a robot's joints (NAME.q) or links (NAME.x to "
+                               "NAME.qz), found {}: a figure's channels need its skeleton",
+                               text::quoted(header)),
+                   first);
+    }
+    return is_one_of(split.channel, kPoseChannels) ? take_place(first) : take_values(first);
+  }
+
+  std::size_t take_values(std::size_t column) {
+    const std::string name = name_of_values(header_[column].text);
+    // With a robot, joints are matched by their names, which tells of one that comes again.
+    if (!is_first(ComponentKind::Values, name) && !has_joint_ids(reader_.options)) {
+      return error(fmt::format("expected each column once, found {} again",
+                               text::quoted(header_[column].text)),
+                   column);
+    }
+    const auto content = content_of_numbered_part(name);
+    Group& group =
+        group_of(ComponentKind::Values, content.value_or(std::string(kJointDisplacement)));
+    group.columns.push_back(column);
     group.names.push_back(name);
     return 1;
   }
-  const std::size_t count = count_of_pose_channels(header, first);
-  const bool is_pose = count == kPoseChannels.size();
-  if (!is_pose && count != 3) {
-    reader.error("CSV003",
-                 fmt::format("expected {0}.x, {0}.y, {0}.z, and of a link {0}.qw to {0}.qz, in "
-                             "this order, found {1} of them",
-                             name, count),
-                 header[first].at);
-    return 0;
+
+  /// Adds a pose or a point.
+  std::size_t take_place(std::size_t first) {
+    const std::string name = split_at_dot(header_[first].text).name;
+    const std::size_t count = count_channels(first, kPoseChannels);
+    if (count_channels(first, kRpyChannels) == kRpyChannels.size()) {
+      return take_pose(first, name, PoseForm::RollPitchYaw);
+    }
+    if (count == kPoseChannels.size()) return take_pose(first, name, PoseForm::Quaternion);
+    if (count != kPointChannels) {
+      return error(fmt::format("expected {0}.x, {0}.y, {0}.z, and of a link {0}.qw to {0}.qz, in "
+                               "this order, found {1} of them",
+                               name, count),
+                   first);
+    }
+    if (!is_first(ComponentKind::Vectors, name)) {
+      return error(fmt::format("expected each point once, found {} again", name), first);
+    }
+    add_columns(group_of(ComponentKind::Vectors, name), first, count);
+    return count;
   }
-  const bool is_second = std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
-    return group.kind == ComponentKind::Vectors && group.content == name;
-  });
-  if (!is_pose && is_second) {
-    reader.error("CSV003", fmt::format("expected each point once, found {} again", name),
-                 header[first].at);
-    return 0;
+
+  std::size_t take_pose(std::size_t first, const std::string& name, PoseForm form) {
+    if (!is_first(ComponentKind::Poses, name)) {
+      return error(fmt::format("expected each link once, found {} again", name), first);
+    }
+    const auto content = content_of_numbered_part(name);
+    Group& group = group_of(ComponentKind::Poses, content.value_or(std::string(kLinkPosition)));
+    if (group.names.empty()) group.pose_form = form;
+    if (group.pose_form != form) {
+      return error(fmt::format("expected all links with a quaternion, or all with roll, pitch and "
+                               "yaw, found '{}' with the other",
+                               name),
+                   first);
+    }
+    const std::size_t count =
+        form == PoseForm::Quaternion ? kPoseChannels.size() : kRpyChannels.size();
+    add_columns(group, first, count);
+    group.names.push_back(name);
+    return count;
   }
-  Group& group = is_pose ? group_of(groups, ComponentKind::Poses, std::string(kLinkPosition))
-                         : group_of(groups, ComponentKind::Vectors, name);
-  for (std::size_t k = 0; k < count; ++k) group.columns.push_back(first + k);
-  if (is_pose) group.names.push_back(name);
-  return count;
-}
+
+  static void add_columns(Group& group, std::size_t first, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) group.columns.push_back(first + k);
+  }
+
+  /// Looks at columns of values whose names end in something like a channel, but for q and a
+  /// joint id: that of a link or point is an error, and beside columns NAME.q it is worth a note.
+  bool are_channels_known() const {
+    const bool has_channels = std::any_of(
+        header_.begin() + 1, header_.end(),
+        [](const text::CsvField& field) { return split_at_dot(field.text).channel == "q"; });
+    for (std::size_t column = 1; column < header_.size(); ++column) {
+      const SplitHeader split = split_at_dot(header_[column].text);
+      const bool is_value = known_.contains({ComponentKind::Values, header_[column].text});
+      if (!is_value || split.channel.empty() || is_of_joint_id(split.channel)) continue;
+      const bool is_of_place = known_.contains({ComponentKind::Poses, split.name}) ||
+                               known_.contains({ComponentKind::Vectors, split.name});
+      if (is_of_place) {
+        error(fmt::format("expected another column, found {}: the columns of {} are complete",
+                          text::quoted(header_[column].text), text::quoted(split.name)),
+              column);
+        return false;
+      }
+      if (has_channels) {
+        text::report(reader_.source, reader_.diagnostics, Severity::Note, "CSV020",
+                     fmt::format("{} is read as the name of a joint, beside columns NAME.q",
+                                 text::quoted(header_[column].text)),
+                     header_[column].at);
+      }
+    }
+    return true;
+  }
+
+  const TableReader& reader_;
+  const std::vector<text::CsvField>& header_;
+  std::vector<Group> groups_;
+  std::map<std::pair<ComponentKind, std::string>, std::size_t> index_;  ///< of groups
+  std::set<std::pair<ComponentKind, std::string>> known_;               ///< the parts
+};
 
 /// Groups columns by component. Empty after an error.
 std::vector<Group> grouped(const TableReader& reader, const std::vector<text::CsvField>& header) {
@@ -122,13 +237,7 @@ std::vector<Group> grouped(const TableReader& reader, const std::vector<text::Cs
                  header[0].at);
     return {};
   }
-  std::vector<Group> groups;
-  for (std::size_t column = 1; column < header.size();) {
-    const std::size_t count = take_columns(reader, header, column, groups);
-    if (count == 0) return {};
-    column += count;
-  }
-  return groups;
+  return ColumnSorter(reader, header).sort();
 }
 
 /// The ids of a robot's joints by the names of their columns, of all links that have them, and of
@@ -165,7 +274,7 @@ void put_in_order(const TableReader& reader, const std::vector<text::CsvField>& 
   std::vector<std::size_t> ordered(robot.coordinates.size() - kRootColumns, kNoColumn);
   for (const std::size_t column : group.columns) {
     const text::CsvField& field = header[column];
-    const auto id = ids.find(split_name(field.text).first);
+    const auto id = ids.find(name_of_values(field.text));
     const bool is_known = id != ids.end() && id->second < ordered.size();
     if (!is_known || ordered[id->second] != kNoColumn) {
       const std::string found = text::quoted(field.text);
@@ -205,14 +314,6 @@ std::vector<text::CsvField> without_blanks(std::vector<text::CsvField> fields) {
     field.text.erase(field.text.begin(), first);
   }
   return fields;
-}
-
-/// Whether the skeleton is that of a robot whose joints have ids.
-bool has_joint_ids(const kinefile::ReadOptions& options) {
-  if (options.skeleton == nullptr || !has_skeleton(*options.skeleton)) return false;
-  const Skeleton& skeleton = skeleton_of(*options.skeleton);
-  return !skeleton.joints.empty() && moves_freely(skeleton.joints[0]) &&
-         skeleton.coordinates.size() >= kRootColumns;
 }
 
 }  // namespace

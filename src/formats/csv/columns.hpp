@@ -50,6 +50,7 @@ struct Group {
   std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is 0, or follows
   std::vector<std::string> names;    ///< of joints and links, one per part
   std::vector<FollowingPart> following = {};
+  PoseForm pose_form = PoseForm::Quaternion;
 };
 
 /// Determines the columns from the header. If `options.skeleton` is given, joints are matched to

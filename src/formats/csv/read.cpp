@@ -67,6 +67,7 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   Component component;
   component.kind = group.kind;
   component.content = group.content;
+  component.pose_form = group.pose_form;
   component.num_parts = group.columns.size() / component.width();
   component.part_names = group.names;
   component.is_root_relative =
@@ -95,7 +96,9 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
 /// Reports quaternions that are no rotations or of another length than 1.
 void check_quaternions(const TableReader& reader, const Component& component,
                        const TableRows& rows) {
-  if (component.kind != ComponentKind::Poses) return;
+  const bool has_quaternions =
+      component.kind == ComponentKind::Poses && component.pose_form == PoseForm::Quaternion;
+  if (!has_quaternions) return;
   QuaternionFaults faults;
   for (std::size_t f = 0; f < component.num_frames; ++f) {
     look_at_quaternions(component.row(f), f, rows.starts[f], faults);
@@ -111,8 +114,9 @@ std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& 
   TableRows rows;
   rows.num_columns = header.size();
   if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
-  const auto timeline = timeline_of_rows(reader.source, rows, reader.options.fps,
-                                         {"CSV006", "CSV007", "CSV016"}, reader.diagnostics);
+  const auto timeline =
+      timeline_of_rows(reader.source, rows, reader.options.fps,
+                       {"CSV006", "CSV007", "CSV016", "CSV021", "CSV022"}, reader.diagnostics);
   if (!timeline) return std::nullopt;
   BodyMotion motion;
   for (const Group& group : groups) {

@@ -18,5 +18,7 @@ inline constexpr const char* kOtherTimes = "HRP011";
 inline constexpr const char* kLateStart = "HRP012";
 inline constexpr const char* kNotFinite = "HRP013";
 inline constexpr const char* kSpeedsLeftOut = "HRP014";
+inline constexpr const char* kGap = "HRP015";
+inline constexpr const char* kSlow = "HRP016";
 
 }  // namespace kinefile::hrpsys::code

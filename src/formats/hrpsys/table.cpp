@@ -95,8 +95,9 @@ std::optional<Table> parse_table(const text::Source& source, std::optional<doubl
                                  Diagnostics& diagnostics) {
   Table table;
   if (!TableParser{source, diagnostics}.parse_rows(table.rows)) return std::nullopt;
-  auto timeline = timeline_of_rows(
-      source, table.rows, fps, {code::kNotRising, code::kNoRate, code::kLateStart}, diagnostics);
+  constexpr TableTimeCodes kCodes{code::kNotRising, code::kNoRate, code::kLateStart, code::kGap,
+                                  code::kSlow};
+  auto timeline = timeline_of_rows(source, table.rows, fps, kCodes, diagnostics);
   if (!timeline) return std::nullopt;
   table.timeline = std::move(*timeline);
   return table;

@@ -24,6 +24,7 @@ inline constexpr char kBadMimic[] = "URD013";
 inline constexpr char kXacro[] = "URD014";
 inline constexpr char kQuaternion[] = "URD015";
 inline constexpr char kLeftOutShape[] = "URD016";
+inline constexpr char kEntity[] = "URD017";
 
 /// Joint ids are counted here, so none is too large and none is repeated.
 inline constexpr robot_file::Codes kRobot = {kTooManyLinks,  kRepeatedName, kBadParent,

@@ -105,12 +105,35 @@ class Parser {
     if (element.name.starts_with("xacro:")) {
       return report_xacro(values_.spot(element), element.name);
     }
+    if (!is_of_joints(element)) return true;
     for (const Attribute& attribute : element.attributes) {
-      const bool has_expression = attribute.value.find("${") != std::string::npos;
-      if (!has_expression || !is_of_joints(element)) continue;
-      return report_xacro(values_.spot(attribute), attribute.value);
+      if (attribute.value.find("${") != std::string::npos) {
+        return report_xacro(values_.spot(attribute), attribute.value);
+      }
+      warn_of_entities(attribute);
     }
     return true;
+  }
+
+  /// Warns of a reference to an entity that a DOCTYPE would have to declare.
+  void warn_of_entities(const Attribute& attribute) {
+    const std::string& value = attribute.value;
+    for (std::size_t at = value.find('&'); at != std::string::npos; at = value.find('&', at + 1)) {
+      std::size_t end = at + 1;
+      while (end < value.size() && is_of_entity_name(value[end])) ++end;
+      if (end == at + 1 || end == value.size() || value[end] != ';') continue;
+      values_.warn(
+          values_.spot(attribute), code::kEntity,
+          fmt::format("expected characters, found {}, an entity that no file declares here; "
+                      "it is kept as it stands",
+                      text::quoted(value.substr(at, end + 1 - at))));
+      return;
+    }
+  }
+
+  static bool is_of_entity_name(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
   }
 
   bool report_xacro(const robot_file::Spot& spot, std::string_view found) {

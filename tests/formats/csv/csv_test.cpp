@@ -68,6 +68,33 @@ TEST(Csv, ReadsJointsLinksAndPoints) {
   EXPECT_EQ(components[0].num_frames, 2u);
 }
 
+TEST(Csv, LinksMayHaveRollPitchAndYaw) {
+  const auto read = read_csv(
+      "time,W.x,W.y,W.z,W.roll,W.pitch,W.yaw,NECK.yaw,V.X,V.y,V.z,V.roll,V.pitch,V.yaw\n"
+      "0,1,2,3,0.1,0.2,0.3,9,4,5,6,0,0,0.5\n");
+  const auto& components = components_of(read);
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].content, kLinkPosition);
+  EXPECT_EQ(components[0].pose_form, PoseForm::RollPitchYaw);
+  EXPECT_EQ(components[0].values,
+            (std::vector<double>{1, 2, 3, 0.1, 0.2, 0.3, 4, 5, 6, 0, 0, 0.5}));
+  EXPECT_EQ(components[1].part_names, std::vector<std::string>{"NECK.yaw"});
+}
+
+TEST(Csv, NumberedPartsBelongToTheirContents) {
+  const auto read = read_csv(
+      "time,JointEffort0.q,Grip[0].q,Grip[1].q,HAND,Tip[0].x,Tip[0].y,Tip[0].z,Tip[0].qw,Tip[0].qx,"
+      "Tip[0].qy,Tip[0].qz\n0,1,2,3,4,5,6,7,1,0,0,0\n");
+  const auto& components = components_of(read);
+  ASSERT_EQ(components.size(), 4u);
+  EXPECT_EQ(components[0].content, "JointEffort");
+  EXPECT_EQ(components[1].content, "Grip");
+  EXPECT_EQ(components[1].values, (std::vector<double>{2, 3}));
+  EXPECT_EQ(components[2].content, kJointDisplacement);
+  EXPECT_EQ(components[3].content, "Tip");
+  EXPECT_EQ(components[3].kind, ComponentKind::Poses);
+}
+
 TEST(Csv, PointsMayBeRelativeToTheRoot) {
   const auto read = read_csv("time,ZMP.root.x,ZMP.root.y,ZMP.root.z\n0,1,2,3\n1,4,5,6\n");
   const Component& zmp = components_of(read)[0];

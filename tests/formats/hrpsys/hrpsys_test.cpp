@@ -109,17 +109,17 @@ TEST(Hrpsys, SpeedsAfterAMatrixAreLeftOut) {
   EXPECT_EQ(codes_of(read_set({{"a.waist", "0 1 2 3 1 0 0 0 1 0 0 0 1 0 0 0 0 0\n"}}).diagnostics),
             (std::vector<std::string>{"HRP004", "HRP002"}));
   const std::string scaled =
-      "0 1 2 3 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n1 0 0 0 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n";
+      "0 1 2 3 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n0.5 0 0 0 2 0 0 0 1 0 0 0 1 0 0 0 0 0 0\n";
   EXPECT_EQ(codes_of(read_set({{"a.waist", scaled}}).diagnostics),
             (std::vector<std::string>{"HRP014", "HRP006"}));
 }
 
 TEST(Hrpsys, AnglesThatDifferAreTold) {
   const auto read = read_set(
-      {{"a.waist", "0 1 2 3 0 0 0\n1 1 2 3 0 0 0.5\n"}, {"a.hip", "0 0 0 0\n1 0 0 0.6\n"}});
+      {{"a.waist", "0 1 2 3 0 0 0\n0.5 1 2 3 0 0 0.5\n"}, {"a.hip", "0 0 0 0\n0.5 0 0 0.6\n"}});
   EXPECT_EQ(text_of(read.diagnostics),
             "a.hip:2:1: warning[HRP009]: expected the angles of the .waist file, found others, "
-            "first in frame 1; those of .waist count\n  1 0 0 0.6\n  ^\n");
+            "first in frame 1; those of .waist count\n  0.5 0 0 0.6\n  ^\n");
   EXPECT_EQ(components_of(read)[0].values[11], 0.5);
 }
 

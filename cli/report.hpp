@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdio>
+#include <unistd.h>
 
 #include "command.hpp"
 
@@ -9,7 +9,8 @@ namespace kinefile::cli {
 
 /// Prints diagnostics in the order of their places: the first 20 of each code, then a count. With
 /// --quiet, notes and warnings are not printed.
-void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals);
+/// \param stream  STDOUT_FILENO or STDERR_FILENO
+void print_diagnostics(int stream, const Diagnostics& diagnostics, const Globals& globals);
 
 /// Prints an error that is not among diagnostics, on stderr.
 void print_error(const Error& error, const Globals& globals);
@@ -22,6 +23,9 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
 
 /// The diagnostics of an operation, whose sources are empty, with the name of the file.
 Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict);
+
+/// Prints a message on stderr, which a full or closed stream does not stop.
+void print_message(std::string_view text);
 
 /// Prints data on stdout. `finish_output` detects faults.
 void print_data(std::string_view text);

@@ -255,8 +255,9 @@ Result<void> write(const std::string& name, const Document& document, const Form
 }
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
-                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
-  const OutputFiles files = files_on_disk(replace);
+                        const WriteOptions& options, const OutputOptions& output,
+                        Diagnostics& diagnostics) {
+  const OutputFiles files = files_on_disk(output);
   auto written = write(path, document, format, options, files, diagnostics);
   return written ? files.commit() : written;
 }

@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t kLeafSize = 8;
 /// Ends decide between joints at one place.
 constexpr double kEndShare = 0.1;
-/// Distances to boxes are rounded otherwise than distances to places.
-constexpr double kBoxMargin = 1 - 1e-12;
 
+/// Never more than the distance to a place in the box: rounding keeps the order, so that a box of
+/// equal places has their very distance.
 double distance_to_box(const Vec3& place, const Vec3& low, const Vec3& high) {
   return (low - place).cwiseMax(place - high).cwiseMax(0).norm();
 }
@@ -31,9 +31,8 @@ struct NearestPlaces::Query {
   /// Whether a box can hold a joint that is better than the best one.
   bool may_be_in(const Node& node) const {
     if (node.first_joint == kNoParent) return false;
-    const double apart = kBoxMargin * distance_to_box(place, node.low[0], node.high[0]);
-    const double least =
-        apart + kBoxMargin * kEndShare * distance_to_box(end, node.low[1], node.high[1]);
+    const double apart = distance_to_box(place, node.low[0], node.high[0]);
+    const double least = apart + kEndShare * distance_to_box(end, node.low[1], node.high[1]);
     return apart <= distance && (least < best || (least == best && node.first_joint < joint));
   }
 };

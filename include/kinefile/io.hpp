@@ -39,7 +39,10 @@ class FileBytes {
 /// cannot make its reader open other files.
 /// \param root  a folder in which and below which files may be, too, wherever links lead; empty:
 ///              none
-Resolver files_beside(const std::string& path, const std::string& root = {});
+/// \param refusals  receives a warning (IO005) for each file that is a link out of these folders,
+///                  and is then not opened; null: says nothing. Outlives the resolver.
+Resolver files_beside(const std::string& path, const std::string& root = {},
+                      Diagnostics* refusals = nullptr);
 
 /// Reads a document from bytes.
 /// \param name    its name in diagnostics; its extension gives the format if the content does not

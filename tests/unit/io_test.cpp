@@ -172,6 +172,25 @@ TEST_F(Disk, FilesOutsideOfAFolderAreFoundBelowTheRootAlone) {
   EXPECT_FALSE(opens(files_beside(arm, path("top/han")), "../hand/Hand.body"));
 }
 
+TEST_F(Disk, LinksOutOfTheFolderAreNotOpenedAndTold) {
+  for (const char* name : {"models", "other", "models/own"}) fs::create_directories(folder_ / name);
+  put("other/secret.txt", "secret");
+  put("models/own/inner.body", "inner");
+  fs::create_symlink(path("other/secret.txt"), path("models/link.body"));
+  fs::create_symlink("own/inner.body", path("models/inside.body"));
+  Diagnostics refusals;
+  const Resolver files = files_beside(path("models/arm.body"), {}, &refusals);
+  EXPECT_FALSE(files.open("link.body"));
+  EXPECT_FALSE(files.open("LINK.body"));
+  EXPECT_TRUE(files.open("inside.body"));
+  EXPECT_FALSE(files.open("none.body"));
+  EXPECT_EQ(test::text_of(refusals),
+            path("models/link.body") +
+                ": warning[IO005]: not opened: this link leads out of the folder; --skeleton names "
+                "a skeleton, --model-root a folder that a model's parts may lie in\n");
+  EXPECT_TRUE(files_beside(path("models/arm.body"), folder_).open("link.body"));
+}
+
 TEST_F(Disk, FilesThatAreOpenedAreRecorded) {
   fs::create_directories(folder_ / "parts");
   const std::string arm =

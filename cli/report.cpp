@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -32,11 +33,29 @@ void flush_data() {
   own.waiting.clear();
 }
 
+void write_message(std::string_view text) {
+  flush_data();  // what was printed before stays before it
+  static OutputFile messages = OutputFile::of_stream(STDERR_FILENO, "<stderr>");
+  messages.write(text);
+}
+
+/// What of a text for people is printable, line by line.
+std::string printable_lines(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += printable(text.substr(0, end));
+    if (end < text.size()) lines += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 void print_to(int stream, std::string_view text) {
   if (stream == STDOUT_FILENO) {
     print_data(text);
   } else {
-    print_message(text);
+    write_message(text);
   }
 }
 
@@ -115,11 +134,9 @@ Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_s
   return diagnostics;
 }
 
-void print_message(std::string_view text) {
-  flush_data();  // what was printed before stays before it
-  static OutputFile messages = OutputFile::of_stream(STDERR_FILENO, "<stderr>");
-  messages.write(text);
-}
+void print_message(std::string_view text) { write_message(printable_lines(text)); }
+
+void print_lines(std::string_view text) { print_data(printable_lines(text)); }
 
 void print_data(std::string_view text) {
   constexpr std::size_t kBlock = std::size_t{1} << 16;

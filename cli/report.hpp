@@ -24,10 +24,13 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
 /// The diagnostics of an operation, whose sources are empty, with the name of the file.
 Diagnostics named(const Diagnostics& noticed, const std::string& file, bool is_strict);
 
-/// Prints a message on stderr, which a full or closed stream does not stop.
+/// Prints a message for people on stderr, as `print_lines`. A full or closed stream is no fault.
 void print_message(std::string_view text);
 
-/// Prints data on stdout. `finish_output` detects faults.
+/// Prints a text for people on stdout: of its control characters only line ends stay as they are.
+void print_lines(std::string_view text);
+
+/// Prints data on stdout, exactly. `finish_output` detects faults.
 void print_data(std::string_view text);
 
 /// Checks that all data has been written, and reports a fault.

@@ -90,6 +90,11 @@ class Diagnostics {
   std::map<std::pair<std::string, Severity>, std::size_t> counts_;
 };
 
+/// A text as a terminal may show it: control characters (C0, C1), marks that change the direction
+/// of text, line separators and bytes that are no UTF-8 are escaped, as \\x1b or \\u202e. Names
+/// come from files, and must not control the terminal or hide what follows.
+std::string printable(std::string_view text);
+
 /// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, if there is
 /// an excerpt, the source line and a caret. No final newline.
 std::string to_string(const Diagnostic& diagnostic);

@@ -2,11 +2,12 @@
 .DEFAULT_GOAL := help
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 600
+TORTURE_SECONDS ?= 3600
 
 # 0: the demo makes no page, and needs nothing for it.
 WEB ?= 1
 
-.PHONY: help demo web test bench install fuzz lint format clean
+.PHONY: help demo web test bench install fuzz torture lint format clean
 
 help:
 	@echo 'make demo     build kinefile and show what it does on a walk that it makes itself'
@@ -15,6 +16,7 @@ help:
 	@echo 'make bench    measure against named baselines in one run'
 	@echo 'make install  install the command, the library, the man page (PREFIX=$(PREFIX))'
 	@echo 'make fuzz     fuzz the readers (FUZZ_SECONDS=$(FUZZ_SECONDS))'
+	@echo 'make torture  faults of the machine, one seed after the other (TORTURE_SECONDS=$(TORTURE_SECONDS))'
 	@echo 'make lint     clang-tidy over the library and the command'
 	@echo 'make format   lay out the code with clang-format'
 	@echo 'make clean    remove build/'
@@ -47,6 +49,11 @@ fuzz:
 	@tools/setup.sh test
 	@tools/build.sh fuzz
 	@tools/fuzz.sh $(FUZZ_SECONDS)
+
+torture:
+	@tools/setup.sh test
+	@tools/build.sh release
+	@tools/torture.sh $(TORTURE_SECONDS)
 
 lint:
 	@tools/setup.sh test

@@ -238,7 +238,8 @@ void print_ratio(const Reporter& reporter, std::string_view what, const std::str
 
 void write_or_exit(const std::string& path, const Document& document, const char* format) {
   Diagnostics diagnostics;
-  const auto written = write_file(path, document, *find_format(format), {}, true, diagnostics);
+  const auto written =
+      write_file(path, document, *find_format(format), {}, {.may_replace = true}, diagnostics);
   if (written) return;
   fmt::print(stderr, "{}\n", to_string(written.error()));
   std::exit(1);

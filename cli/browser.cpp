@@ -14,6 +14,7 @@
 #include "base64.hpp"
 #include "browser_process.hpp"
 #include "kinefile/io.hpp"
+#include "signals.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -210,7 +211,7 @@ Result<std::string> ask_for_picture(const std::string& program, const std::strin
 }
 
 Result<void> write_page(const std::string& path, std::string_view page) {
-  auto file = OutputFile::create(path, false);
+  auto file = OutputFile::create(path, output_options(false));
   if (!file) return fail(std::move(file.error()));
   file->write(page);
   return file->commit();

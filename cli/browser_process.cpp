@@ -143,8 +143,6 @@ void kill_group(pid_t leader) {
   }
 }
 
-volatile std::sig_atomic_t signal_that_came = 0;
-
 timespec time_until(Deadline deadline) {
   const auto left = std::max(deadline - Clock::now(), Clock::duration::zero());
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
@@ -177,13 +175,12 @@ Result<TemporaryFolder> TemporaryFolder::create() {
 }
 
 HeldSignals::HeldSignals() {
-  signal_that_came = 0;
   sigset_t held;
   sigemptyset(&held);
   for (const int number : kSignals) sigaddset(&held, number);
   sigprocmask(SIG_BLOCK, &held, &old_mask_);
   struct sigaction action {};
-  action.sa_handler = [](int number) { signal_that_came = number; };
+  action.sa_handler = note_signal;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &old_actions_[i]);
     // One that is ignored, as nohup does with SIGHUP, stays so.
@@ -263,7 +260,7 @@ Result<void> BrowserProcess::read_more(Deadline deadline) {
   if (num_ready == 0) {
     return fail(browser_failed("expected a picture from the browser in time, found none"));
   }
-  if (signal_that_came != 0) return fail(browser_failed("stopped by a signal"));
+  if (noted_signal() != 0) return fail(browser_failed("stopped by a signal"));
   if (num_ready < 0) return {};  // another signal
   std::array<char, std::size_t{1} << 16> block;
   const ssize_t count = ::read(from_browser_, block.data(), block.size());

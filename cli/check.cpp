@@ -35,9 +35,8 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
     const std::size_t number = diagnostics.count(severity);
     return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
   };
-  std::fflush(stdout);
-  fmt::print(stderr, "{}: {}, {}, {}\n", source_name(path), count(Severity::Error, "error"),
-             count(Severity::Warning, "warning"), count(Severity::Note, "note"));
+  print_message(fmt::format("{}: {}, {}, {}\n", source_name(path), count(Severity::Error, "error"),
+                            count(Severity::Warning, "warning"), count(Severity::Note, "note")));
 }
 
 /// The note about a file in a folder whose format is unknown.
@@ -77,7 +76,7 @@ void report(const InputFile& file, const Diagnostics& diagnostics, const Check& 
   if (check.is_json) {
     for (const Diagnostic* item : diagnostics.by_place()) all.push_back(json_of_diagnostic(*item));
   } else {
-    print_diagnostics(stdout, diagnostics, globals);
+    print_diagnostics(STDOUT_FILENO, diagnostics, globals);
     if (file.is_known) print_summary(file.path, diagnostics, globals);
   }
 }

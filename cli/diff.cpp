@@ -23,11 +23,12 @@ struct Diff {
 /// Prints a line about a largest difference; no line if nothing was compared.
 void print_largest(std::string_view what, const LargestDifference& largest, std::string_view unit) {
   if (largest.joint.empty()) return;
-  print_data(fmt::format("{:<22}{}{}", what, largest.value, unit));
+  print_lines(fmt::format("{:<22}{}{}", what, largest.value, unit));
   if (largest.value > 0) {
-    print_data(fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
+    print_lines(
+        fmt::format(" at '{}', frame {}, {} s", largest.joint, largest.frame, largest.time));
   }
-  print_data("\n");
+  print_lines("\n");
 }
 
 /// The same as JSON: null if nothing was compared.
@@ -40,7 +41,7 @@ Json json_of(const LargestDifference& largest) {
 }
 
 void print_names(std::string_view what, const std::vector<std::string>& names) {
-  for (const std::string& name : names) print_data(fmt::format("{:<22}'{}'\n", what, name));
+  for (const std::string& name : names) print_lines(fmt::format("{:<22}'{}'\n", what, name));
 }
 
 void print_text(const MotionComparison& comparison, bool is_different) {
@@ -51,10 +52,10 @@ void print_text(const MotionComparison& comparison, bool is_different) {
   print_names("only in the second", comparison.only_in_second);
   print_names("tips not compared", comparison.other_tips);
   if (comparison.num_frames_first != comparison.num_frames_second) {
-    print_data(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
-                           comparison.num_frames_second));
+    print_lines(fmt::format("{:<22}{} and {}\n", "frames", comparison.num_frames_first,
+                            comparison.num_frames_second));
   }
-  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
+  print_lines(is_different ? "the motions differ\n" : "the motions agree\n");
 }
 
 Json json_of(const MotionComparison& comparison, bool is_different) {
@@ -72,22 +73,22 @@ void print_component(const ComponentDifference& difference) {
   const auto& first = difference.first;
   const auto& second = difference.second;
   if (!first || !second) {
-    print_data(fmt::format("{:<22}'{}'\n", first ? "only in the first" : "only in the second",
-                           difference.content));
+    print_lines(fmt::format("{:<22}'{}'\n", first ? "only in the first" : "only in the second",
+                            difference.content));
   } else if (!difference.has_one_size) {
-    print_data(fmt::format("{:<22}{} frames of {} parts and {} of {}\n", difference.content,
-                           first->num_frames, first->num_parts, second->num_frames,
-                           second->num_parts));
+    print_lines(fmt::format("{:<22}{} frames of {} parts and {} of {}\n", difference.content,
+                            first->num_frames, first->num_parts, second->num_frames,
+                            second->num_parts));
   } else {
     print_largest(difference.content, difference.distance, "");
     print_largest("  rotation", difference.rotation, " degrees");
-    if (!difference.has_same_times) print_data("  the times differ\n");
+    if (!difference.has_same_times) print_lines("  the times differ\n");
   }
 }
 
 void print_text(const BodyComparison& comparison, bool is_different) {
   for (const ComponentDifference& difference : comparison.components) print_component(difference);
-  print_data(is_different ? "the motions differ\n" : "the motions agree\n");
+  print_lines(is_different ? "the motions differ\n" : "the motions agree\n");
 }
 
 Json size_json(const std::optional<ComponentSize>& size) {
@@ -115,10 +116,10 @@ void print_text(const FlowComparison& comparison, bool is_different) {
   for (const FlowDifference& difference : comparison.differences) {
     const std::string where =
         difference.block ? fmt::format("block {}", *difference.block) : std::string("flow");
-    print_data(fmt::format("{:<12}{:<10}{} and {}\n", where, difference.what,
-                           shown(difference.first), shown(difference.second)));
+    print_lines(fmt::format("{:<12}{:<10}{} and {}\n", where, difference.what,
+                            shown(difference.first), shown(difference.second)));
   }
-  print_data(is_different ? "the flows differ\n" : "the flows agree\n");
+  print_lines(is_different ? "the flows differ\n" : "the flows agree\n");
 }
 
 Json json_of(const FlowComparison& comparison, bool is_different) {

@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 #include "skeleton_source.hpp"
 #include "writing.hpp"
 
@@ -44,7 +45,7 @@ FkOptions options_of(const Fk& fk) {
 }
 
 int write_file(const Fk& fk, const Globals& globals, const FkTable& table, const Format& format) {
-  auto file = OutputFile::create(fk.out, fk.may_replace);
+  auto file = OutputFile::create(fk.out, output_options(fk.may_replace));
   if (!file) {
     print_error(file.error(), globals);
     return exit_code_of(file.error());
@@ -84,7 +85,7 @@ int compare(const Fk& fk, const Document& document, const Globals& globals) {
   diagnostics.warnings_are_errors = fk.reading.is_strict;
   const auto deviations =
       compare_links(document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (!deviations) return print_failure(deviations.error(), diagnostics, fk.file, globals);
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   std::string text = "link,distance,distance_frame,degrees,degrees_frame\n";
@@ -111,7 +112,7 @@ int run(const Fk& fk, const Globals& globals) {
   diagnostics.warnings_are_errors = fk.reading.is_strict;
   auto placed =
       place(*document, source_of_skeleton(fk.reading), fk.reading.is_lenient, diagnostics);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (!placed) return print_failure(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;

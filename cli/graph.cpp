@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -20,7 +21,7 @@ int run(const Graph& graph, const Globals& globals) {
   const auto flow = load_flow(graph.file, graph.reading, globals, exit_code);
   if (!flow) return exit_code;
   if (finish_reading(graph.reading, globals, kDone) != kDone) return kUsage;
-  auto out = OutputFile::create(graph.out, graph.may_replace);
+  auto out = OutputFile::create(graph.out, output_options(graph.may_replace));
   if (out) out->write(flow::graph(*flow));
   const auto committed = out ? out->commit() : Result<void>(fail(out.error()));
   if (committed) return kDone;

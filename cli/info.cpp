@@ -37,7 +37,7 @@ void print_subtree(const Skeleton& skeleton, const std::vector<std::vector<std::
     const Line line = std::move(waiting.back());
     waiting.pop_back();
     out += fmt::format("{}{}{}\n", line.indent, line.is_root ? "" : "+- ",
-                       skeleton.joints[line.joint].name);
+                       printable(skeleton.joints[line.joint].name));
     const std::string indent = line.is_root ? "" : line.indent + (line.is_last ? "   " : "|  ");
     const auto& below = children[line.joint];
     for (std::size_t c = below.size(); c-- > 0;) {
@@ -280,8 +280,8 @@ void tell_flow(const std::string& name, const Document& document, const Options&
     all.push_back(flow_json(name, told, options.has_poses));
     return;
   }
-  print_data(flow_text(name, told));
-  if (options.has_poses) print_data(poses_text(told.flow->poses));
+  print_lines(flow_text(name, told));
+  if (options.has_poses) print_lines(poses_text(told.flow->poses));
 }
 
 int run(const Options& options, const Globals& globals) {
@@ -300,13 +300,13 @@ int run(const Options& options, const Globals& globals) {
     } else if (options.is_json) {
       all.push_back(json_of_document(name, *document));
     } else if (options.is_tree) {
-      if (options.files.size() > 1) print_data(fmt::format("{}:\n", name));
+      if (options.files.size() > 1) print_lines(fmt::format("{}:\n", name));
       if (!has_skeleton(*document)) {
         return usage_error(globals, fmt::format("'{}' holds no skeleton to draw", name));
       }
-      print_data(tree_of(skeleton_of(*document)));
+      print_lines(tree_of(skeleton_of(*document)));
     } else {
-      print_data(text_of(name, *document));
+      print_lines(text_of(name, *document));
     }
   }
   if (options.is_json) print_json(all);

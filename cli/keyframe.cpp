@@ -8,6 +8,7 @@
 #include "numbers.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 #include "skeleton_source.hpp"
 #include "writing.hpp"
 
@@ -30,13 +31,14 @@ double seconds_of_pose(const servo::Keyframes& made, const ServoMap& map) {
 
 void print_table(const Keyframe& keyframe, const servo::Keyframes& made, const ServoMap& map) {
   const int lead_in = keyframe.options.lead_in_ticks;
-  fmt::print(stderr, "{} pose{}, {:.3f} s after {} tick{} of lead-in\n", made.ticks.size(),
-             made.ticks.size() == 1 ? "" : "s", seconds_of_pose(made, map), lead_in,
-             lead_in == 1 ? "" : "s");
-  fmt::print(stderr, "{:<24}{:>10}{:>10}{:>10}  degrees\n", "joint", "largest", "at s", "RMS");
+  print_message(fmt::format("{} pose{}, {:.3f} s after {} tick{} of lead-in\n", made.ticks.size(),
+                            made.ticks.size() == 1 ? "" : "s", seconds_of_pose(made, map), lead_in,
+                            lead_in == 1 ? "" : "s"));
+  print_message(
+      fmt::format("{:<24}{:>10}{:>10}{:>10}  degrees\n", "joint", "largest", "at s", "RMS"));
   for (const servo::KeyframeError& error : made.errors) {
-    fmt::print(stderr, "{:<24}{:>10.3f}{:>10.3f}{:>10.3f}\n", error.joint, error.largest,
-               error.largest_seconds, error.rms);
+    print_message(fmt::format("{:<24}{:>10.3f}{:>10.3f}{:>10.3f}\n", error.joint, error.largest,
+                              error.largest_seconds, error.rms));
   }
 }
 
@@ -77,7 +79,7 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = keyframe.reading.is_strict;
   const auto finish = [&](Error error) {
-    print_diagnostics(stderr, diagnostics, globals);
+    print_diagnostics(STDERR_FILENO, diagnostics, globals);
     return print_failure(std::move(error), diagnostics, keyframe.file, globals);
   };
   if (const auto effect = expect_options_of(keyframe.reading, format); !effect) {
@@ -95,9 +97,9 @@ int run(const Keyframe& keyframe, const Globals& globals) {
   auto fitting = in_kind_of(*format, std::move(flow), {}, diagnostics);
   if (!fitting) return finish(fitting.error());
   const auto written = write_file(keyframe.writing.out, *fitting, *format, keyframe.writing.format,
-                                  keyframe.writing.may_replace, diagnostics);
+                                  output_options(keyframe.writing.may_replace), diagnostics);
   if (!written) return finish(written.error());
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (keyframe.is_json) {
     print_json(json_of_keyframes(keyframe, *made, *map));
   } else if (!globals.is_quiet) {

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
+#include <sstream>
 
 #include "command.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -19,6 +20,17 @@ std::string first_word(int argc, char** argv) {
     if (std::string_view(argv[i]) == "--color") ++i;
   }
   return {};
+}
+
+/// Prints the help or the version that was asked for, or what is wrong with the words.
+/// \returns the exit code
+int end_parsing(const CLI::App& app, const CLI::ParseError& error, const Globals& globals) {
+  std::ostringstream asked;
+  std::ostringstream wrong;
+  const bool is_asked = app.exit(error, asked, wrong) == 0;
+  print_data(asked.str());
+  print_message(wrong.str());
+  return finish_output(is_asked ? kDone : kUsage, globals);
 }
 
 int run(int argc, char** argv) {
@@ -68,13 +80,12 @@ int run(int argc, char** argv) {
     const std::string word = first_word(argc, argv);
     const auto is_named = [&word](const CLI::App* command) { return command->get_name() == word; };
     if (word.empty() || !app.get_subcommands(is_named).empty()) {
-      app.exit(error);
-      return kUsage;
+      return end_parsing(app, error, globals);
     }
     return usage_error(globals,
                        fmt::format("there is no command '{}'; --help lists those there are", word));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kUsage;
+    return end_parsing(app, error, globals);
   }
   if (!manual_kind.empty()) {
     print_data(manual(app, manual_kind));
@@ -86,10 +97,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 /// Opens standard streams that the caller closed on the null device. Otherwise a file that is
-/// opened later would get their number, and our messages would go into that file.
+/// opened later would get their number, and our messages would go into that file. They are opened
+/// the wrong way round, so that reading or writing them is the fault that it is.
 void open_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
-    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);
+    if (::fcntl(stream, F_GETFD) != -1) continue;
+    ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }
 
@@ -97,13 +110,15 @@ void open_standard_streams() {
 
 int main(int argc, char** argv) {
   kinefile::cli::open_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early then causes a failed write
+  kinefile::cli::handle_signals();
   try {
-    return kinefile::cli::run(argc, argv);
+    const int exit_code = kinefile::cli::run(argc, argv);
+    kinefile::cli::end_by_noted_signal();
+    return exit_code;
   } catch (const std::bad_alloc&) {
-    std::fputs("kinefile: error[MEM001]: out of memory\n", stderr);
+    kinefile::cli::print_message("kinefile: error[MEM001]: out of memory\n");
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "kinefile: error[INT001]: %s\n", error.what());
+    kinefile::cli::print_message(fmt::format("kinefile: error[INT001]: {}\n", error.what()));
   }
   return kinefile::cli::kIo;
 }

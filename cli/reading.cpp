@@ -103,7 +103,7 @@ std::optional<Document> load(const std::string& path, const Reading& reading,
                              const Globals& globals, int& exit_code) {
   Diagnostics diagnostics;
   auto document = load_quietly(path, reading, diagnostics);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (document) return std::move(*document);
   if (!diagnostics.has_errors()) print_error(document.error(), globals);
   exit_code = worse(exit_code, exit_code_of(document.error()));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,10 +16,53 @@ namespace {
 
 constexpr std::size_t kMostOfOneCode = 20;
 
-bool wants_color(std::FILE* stream, const Globals& globals) {
+/// What stdout still gets: small pieces are written together.
+struct Data {
+  OutputFile stream = OutputFile::of_stream(STDOUT_FILENO, "<stdout>");
+  std::string waiting;
+};
+
+Data& data() {
+  static Data own;
+  return own;
+}
+
+void flush_data() {
+  Data& own = data();
+  own.stream.write(own.waiting);
+  own.waiting.clear();
+}
+
+void write_message(std::string_view text) {
+  flush_data();  // what was printed before stays before it
+  static OutputFile messages = OutputFile::of_stream(STDERR_FILENO, "<stderr>");
+  messages.write(text);
+}
+
+/// What of a text for people is printable, line by line.
+std::string printable_lines(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += printable(text.substr(0, end));
+    if (end < text.size()) lines += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+void print_to(int stream, std::string_view text) {
+  if (stream == STDOUT_FILENO) {
+    print_data(text);
+  } else {
+    write_message(text);
+  }
+}
+
+bool wants_color(int stream, const Globals& globals) {
   if (globals.color != "auto") return globals.color == "always";
   const char* no_color = std::getenv("NO_COLOR");
-  return (no_color == nullptr || *no_color == '\0') && isatty(fileno(stream)) == 1;
+  return (no_color == nullptr || *no_color == '\0') && isatty(stream) == 1;
 }
 
 std::string_view color_of(Severity severity) {
@@ -33,7 +77,7 @@ std::string_view color_of(Severity severity) {
   return "";
 }
 
-void print_one(std::FILE* stream, const Diagnostic& diagnostic, bool has_color) {
+void print_one(int stream, const Diagnostic& diagnostic, bool has_color) {
   std::string text = to_string(diagnostic);
   if (has_color) {
     const std::string label =
@@ -45,12 +89,12 @@ void print_one(std::FILE* stream, const Diagnostic& diagnostic, bool has_color) 
     }
   }
   text += '\n';
-  std::fwrite(text.data(), 1, text.size(), stream);
+  print_to(stream, text);
 }
 
 }  // namespace
 
-void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals) {
+void print_diagnostics(int stream, const Diagnostics& diagnostics, const Globals& globals) {
   const bool has_color = wants_color(stream, globals);
   std::map<std::pair<std::string, Severity>, std::size_t> printed;
   for (const Diagnostic* item : diagnostics.by_place()) {
@@ -61,17 +105,16 @@ void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const 
     const std::string more =
         fmt::format("{}: {} of {} [{}] are shown\n", item->place.source, kMostOfOneCode,
                     diagnostics.count_of(item->code, item->severity), item->code);
-    std::fwrite(more.data(), 1, more.size(), stream);
+    print_to(stream, more);
   }
 }
 
 void print_error(const Error& error, const Globals& globals) {
-  std::fflush(stdout);
   // The reader of our output stopped early, as `head` does: the exit code is enough, no message is
   // needed.
   const std::string pipe_closed = fmt::format("cannot write: {}", std::strerror(EPIPE));
   if (error.place.source == "<stdout>" && error.message == pipe_closed) return;
-  print_one(stderr, error, wants_color(stderr, globals));
+  print_one(STDERR_FILENO, error, wants_color(STDERR_FILENO, globals));
 }
 
 int print_failure(Error error, const Diagnostics& diagnostics, const std::string& file,
@@ -81,13 +124,21 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
   return exit_code_of(error);
 }
 
-void print_data(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print_message(std::string_view text) { write_message(printable_lines(text)); }
+
+void print_lines(std::string_view text) { print_data(printable_lines(text)); }
+
+void print_data(std::string_view text) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  data().waiting += text;
+  if (data().waiting.size() >= kBlock) flush_data();
+}
 
 int finish_output(int exit_code, const Globals& globals) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  print_error(make_error(ErrorKind::Io, "IO003",
-                         fmt::format("cannot write: {}", std::strerror(errno)), "<stdout>"),
-              globals);
+  flush_data();
+  const auto written = data().stream.fault();
+  if (written) return exit_code;
+  print_error(written.error(), globals);
   return kIo;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdio>
+#include <unistd.h>
 
 #include "command.hpp"
 
@@ -9,7 +9,8 @@ namespace kinefile::cli {
 
 /// Prints diagnostics in the order of their places: the first 20 of each code, then a count. With
 /// --quiet, notes and warnings are not printed.
-void print_diagnostics(std::FILE* stream, const Diagnostics& diagnostics, const Globals& globals);
+/// \param stream  STDOUT_FILENO or STDERR_FILENO
+void print_diagnostics(int stream, const Diagnostics& diagnostics, const Globals& globals);
 
 /// Prints an error that is not among diagnostics, on stderr.
 void print_error(const Error& error, const Globals& globals);
@@ -20,7 +21,13 @@ void print_error(const Error& error, const Globals& globals);
 int print_failure(Error error, const Diagnostics& diagnostics, const std::string& file,
                   const Globals& globals);
 
-/// Prints data on stdout. `finish_output` detects faults.
+/// Prints a message for people on stderr, as `print_lines`. A full or closed stream is no fault.
+void print_message(std::string_view text);
+
+/// Prints a text for people on stdout: of its control characters only line ends stay as they are.
+void print_lines(std::string_view text);
+
+/// Prints data on stdout, exactly. `finish_output` detects faults.
 void print_data(std::string_view text);
 
 /// Checks that all data has been written, and reports a fault.

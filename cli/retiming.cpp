@@ -58,7 +58,7 @@ int finish_retiming(Result<retime::TimeMap> map, Document&& document, const std:
   if (format == nullptr) return no_output_format(retiming.writing, globals);
   if (map && retiming.prints_table) {
     if (finish_reading(retiming.reading, globals, kDone) != kDone) return kUsage;
-    print_diagnostics(stderr, diagnostics, globals);
+    print_diagnostics(STDERR_FILENO, diagnostics, globals);
     print_table(*map);
     return kDone;
   }

@@ -8,6 +8,7 @@
 #include "numbers.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 #include "skeleton_source.hpp"
 #include "writing.hpp"
 
@@ -132,7 +133,7 @@ std::string misuse(const Run& run) {
 
 /// Writes the values of the sliders, or the path of the flow.
 Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun& done) {
-  auto file = OutputFile::create(run.writing.out, run.writing.may_replace);
+  auto file = OutputFile::create(run.writing.out, output_options(run.writing.may_replace));
   if (!file) return fail(file.error());
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
   if (run.is_trace) {
@@ -149,7 +150,7 @@ Result<void> write_sliders(const Run& run, const PoseFlow& flow, const TimedRun&
 int report_run(const Run& run, const Diagnostics& noticed, Result<void> done,
                const Globals& globals) {
   const Diagnostics diagnostics = named(noticed, run.file, run.reading.is_strict);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (done) return diagnostics.has_errors() ? kInvalid : kDone;
   return print_failure(std::move(done.error()), diagnostics, run.file, globals);
 }

@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 
 namespace kinefile::cli {
 namespace {
@@ -14,7 +15,7 @@ struct MakeServoMap {
 };
 
 Result<void> write(const MakeServoMap& make, const ServoMap& map) {
-  auto file = OutputFile::create(make.out, make.may_replace);
+  auto file = OutputFile::create(make.out, output_options(make.may_replace));
   if (!file) return fail(file.error());
   file->write(to_yaml(map));
   return file->commit();
@@ -23,7 +24,7 @@ Result<void> write(const MakeServoMap& make, const ServoMap& map) {
 int run(const MakeServoMap& make, const Globals& globals) {
   Diagnostics diagnostics;
   const auto map = make_servo_map(make.file, diagnostics);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   const auto written = map ? write(make, *map) : Result<void>(fail(map.error()));
   if (written) return kDone;
   if (!diagnostics.has_errors()) print_error(written.error(), globals);

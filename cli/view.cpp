@@ -13,6 +13,7 @@
 #include "options.hpp"
 #include "page.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 #include "skeleton_source.hpp"
 
 namespace kinefile::cli {
@@ -117,7 +118,7 @@ int read_for_page(const std::string& file, const View& view, ViewInput& input,
   Diagnostics noticed;
   const auto shown = expect_shown(std::move(*document), file, view, input, noticed);
   const Diagnostics diagnostics = named(noticed, file, view.reading.is_strict);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (!shown) return print_failure(shown.error(), diagnostics, file, globals);
   return diagnostics.has_errors() ? kInvalid : kDone;
 }
@@ -134,7 +135,7 @@ int read_shared(const View& view, ViewInput& input, const Globals& globals) {
   } else {
     read = fail(map.error());
   }
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   return read ? kDone : print_failure(read.error(), diagnostics, {}, globals);
 }
 
@@ -209,7 +210,7 @@ PageContent content_of(const View& view, const ViewInput& input) {
 
 /// Writes the page and its picture, both or none.
 Result<void> write_page_and_picture(const View& view, const std::string& page) {
-  const OutputFiles files = files_on_disk(view.may_replace);
+  const OutputFiles files = files_on_disk(output_options(view.may_replace));
   // A name that cannot be written is told before the browser starts.
   Sink page_sink;
   Sink picture_sink;

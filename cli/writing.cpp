@@ -7,6 +7,7 @@
 
 #include "options.hpp"
 #include "report.hpp"
+#include "signals.hpp"
 #include "skeleton_source.hpp"
 
 namespace kinefile::cli {
@@ -118,7 +119,8 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
   auto adapted = adapt(std::move(document), format, *adapting, options, diagnostics);
   if (!adapted) return fail(std::move(adapted.error()));
   if (auto used = expect_skeleton_used(reading); !used) return used;
-  return write_file(writing.out, *adapted, format, options, writing.may_replace, diagnostics);
+  return write_file(writing.out, *adapted, format, options, output_options(writing.may_replace),
+                    diagnostics);
 }
 
 }  // namespace
@@ -128,7 +130,7 @@ int write_document(Result<void> made, Document&& document, const Format& format,
                    Diagnostics& diagnostics, const Globals& globals) {
   if (made) made = expect_options_of(reading, &format);
   if (made) made = write_adapted(std::move(document), format, writing, reading, diagnostics);
-  print_diagnostics(stderr, diagnostics, globals);
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (made) return kDone;
   return print_failure(std::move(made.error()), diagnostics, source, globals);
 }

@@ -8,6 +8,20 @@ endif()
 # A product and a sum are two roundings on every machine, whether it could fuse them or not: the same
 # file gives the same bits everywhere.
 target_compile_options(kinefile_compile_options INTERFACE -ffp-contract=off)
+# What an attacker's file could make of a fault of ours is an abort (SECURITY.md). It costs
+# a program that links the library nothing: these are flags of our own files.
+option(KINEFILE_HARDEN "Checks of bounds and of the stack, read-only relocations" OFF)
+if(KINEFILE_HARDEN)
+  target_compile_definitions(kinefile_compile_options INTERFACE _GLIBCXX_ASSERTIONS)
+  target_compile_options(kinefile_compile_options INTERFACE -fstack-protector-strong
+    -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+  target_link_options(kinefile_compile_options INTERFACE LINKER:-z,relro,-z,now)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-fcf-protection KINEFILE_HAS_CET)
+  if(KINEFILE_HAS_CET)
+    target_compile_options(kinefile_compile_options INTERFACE -fcf-protection)
+  endif()
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees faults in Eigen's and the standard library's inlined code that are not there.
   target_compile_options(kinefile_compile_options INTERFACE

@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
   auto adapted = kinefile::adapted_to(*format, std::move(document), {}, diagnostics);
   kinefile::Result<void> written;
   if (adapted) {
-    written = kinefile::write_file(argv[1], *adapted, *format, {}, /*replace=*/true, diagnostics);
+    written =
+        kinefile::write_file(argv[1], *adapted, *format, {}, {.may_replace = true}, diagnostics);
   } else {
     written = kinefile::fail(std::move(adapted.error()));
   }

@@ -11,5 +11,5 @@ if [ ! -w "$parent" ]; then
   command -v sudo >/dev/null || { echo "$parent cannot be written; PREFIX=... names another" >&2; exit 1; }
   as_root=sudo
 fi
-$as_root cmake --install build/release --prefix "$prefix" >/dev/null
+$as_root cmake --install build/release --strip --prefix "$prefix" >/dev/null
 echo "Installed in $prefix: bin/kinefile, the library, the man page and completions"

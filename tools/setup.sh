@@ -5,6 +5,7 @@
 #   tools/setup.sh web     also what building the page needs
 #   tools/setup.sh test    also what the tests, the fuzzers and the browser build need
 #   tools/setup.sh bench   also what the benchmarks need
+# Before it uses sudo it asks, unless -y follows, or the variable CI is set.
 # Where there is no apt-get, or no way to be root, it says what is needed and fails only if a tool is
 # not there: CMake finds the libraries, or names the one that it does not find.
 set -eu
@@ -14,7 +15,7 @@ demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-de
   zlib1g-dev'
 web="$demo emscripten"
 bench="$demo libbenchmark-dev libyaml-dev"
-test="$bench chromium fonts-vlgothic googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+test="$bench chromium fonts-vlgothic valgrind googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten python3"
 
 demo_tools='cmake ninja c++'
@@ -72,6 +73,16 @@ as_root=''
 if [ "$(id -u)" != 0 ]; then
   command -v sudo >/dev/null || go_on_without_installing \
     "Debian packages are missing, and installing them needs root or sudo:$missing."
+  if [ "${2:-}" != -y ] && [ -z "${CI:-}" ]; then
+    [ -t 0 ] || go_on_without_installing \
+      "Debian packages are missing; 'tools/setup.sh $1 -y' installs them with sudo:$missing."
+    printf 'These Debian packages are missing:%s\nInstall them with sudo? [y/N] ' "$missing"
+    read -r answer
+    case $answer in
+      y* | Y*) ;;
+      *) go_on_without_installing "Nothing is installed." ;;
+    esac
+  fi
   as_root=sudo
 fi
 echo "Installing with apt-get:$missing"

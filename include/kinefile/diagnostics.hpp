@@ -94,6 +94,11 @@ class Diagnostics {
 /// \param are_strict  whether warnings become errors (`Diagnostics::warnings_are_errors`)
 Diagnostics named(const Diagnostics& diagnostics, const std::string& source, bool are_strict);
 
+/// A text as a terminal may show it: control characters (C0, C1), marks that change the direction
+/// of text, line separators and bytes that are no UTF-8 are escaped, as \x1b or \u202e. Names
+/// come from files, and must not control the terminal or hide what follows.
+std::string printable(std::string_view text);
+
 /// Formats a diagnostic as `source:line:column: severity[CODE]: message`, and below it, if there is
 /// an excerpt, the source line and a caret. No final newline.
 std::string to_string(const Diagnostic& diagnostic);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +21,7 @@ namespace kinefile {
 class FileBytes {
  public:
   /// Reads a file, or standard input for "-".
-  /// \errors IO001 if it cannot be read, or becomes shorter meanwhile
+  /// \errors IO001 if it cannot be read, or changes meanwhile
   static Result<FileBytes> open(const std::string& path);
 
   std::string_view view() const {
@@ -37,7 +39,10 @@ class FileBytes {
 /// cannot make its reader open other files.
 /// \param root  a folder in which and below which files may be, too, wherever links lead; empty:
 ///              none
-Resolver files_beside(const std::string& path, const std::string& root = {});
+/// \param refusals  receives a warning (IO005) for each file that is a link out of these folders,
+///                  and is then not opened; null: says nothing. Outlives the resolver.
+Resolver files_beside(const std::string& path, const std::string& root = {},
+                      Diagnostics* refusals = nullptr);
 
 /// Reads a document from bytes.
 /// \param name    its name in diagnostics; its extension gives the format if the content does not
@@ -63,15 +68,35 @@ Result<Document> read_file(const std::string& name, const Format* format, ReadOp
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics);
 
-/// A file that is written completely or not at all: it is written under a temporary name in the
-/// same folder, synced, and renamed by `commit`. If it is destroyed before that, the temporary file
-/// is deleted.
+/// How a caller that handles signals stops output, and leaves no temporary file behind. All members
+/// may be used in a signal handler.
+struct Cancellation {
+  /// Set by the caller: what is written fails from now on (ECANCELED), and is removed.
+  std::atomic<bool> is_requested{false};
+  /// How many temporary files have a name now. While this is 0, the process may end at once.
+  std::atomic<int> num_temporary_files{0};
+};
+
+/// How files are written.
+struct OutputOptions {
+  bool may_replace = false;              ///< whether an existing file may be replaced
+  Cancellation* cancellation = nullptr;  ///< null: nothing stops the output; outlives it otherwise
+};
+
+/// A file that is written completely or not at all: it is a temporary file in the same folder,
+/// which is synced, and gets its name by `commit`. If it is destroyed before that, nothing stays. A
+/// link that is replaced stays a link: where it leads, the file is replaced. Other names of a
+/// replaced file (hard links) keep the old content. The new file has the owner and rights of the
+/// old one, where the process may give them.
 class OutputFile {
  public:
-  /// \param path     "-" is standard output, which is written at once
-  /// \param replace  whether an existing file may be replaced
+  /// \param path  "-" is standard output, which is written at once, as devices and pipes are
   /// \errors IO002 if it exists and may not be replaced, IO003 if it cannot be written
-  static Result<OutputFile> create(const std::string& path, bool replace);
+  static Result<OutputFile> create(const std::string& path, const OutputOptions& options = {});
+
+  /// An open stream, which is written at once and stays open if it is a standard one.
+  /// \param name  in messages
+  static OutputFile of_stream(int descriptor, const std::string& name);
 
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -79,20 +104,31 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) noexcept;
   ~OutputFile();
 
-  /// Appends bytes; returns false after an error, which `commit` reports.
+  /// Appends bytes; returns false after an error, which `commit` reports. Waits for a stream that
+  /// does not block.
   bool write(std::string_view bytes);
 
   /// The first error, if `write` returned false.
   /// \errors IO003
   Result<void> fault() const;
 
-  /// Renames the file to its final name.
-  /// \errors IO003
+  /// Gives the file its final name.
+  /// \errors IO002, IO003
   Result<void> commit();
+
+  /// Gives several files their final names. If one of them fails, those that were replaced before
+  /// it are put back.
+  /// \errors as `commit`; the message says what stands if that fails, too
+  static Result<void> commit_all(std::span<OutputFile* const> files);
 
  private:
   struct State;
   explicit OutputFile(std::unique_ptr<State> state);
+  Result<void> prepare();
+  Result<void> place(bool keeps_old);
+  bool put_back();
+  static Result<void> undone(std::span<OutputFile* const> files, Error&& error);
+
   std::unique_ptr<State> state_;
 };
 
@@ -105,13 +141,12 @@ struct OutputFiles {
   std::function<Result<void>()> fault;
   /// Whether a file of this name exists that was not started here.
   std::function<bool(const std::string& name)> exists;
-  /// Renames all files to their final names. If one of them fails, no new file stays.
+  /// Gives all files their final names. If one of them fails, all are as before.
   std::function<Result<void>()> commit;
 };
 
 /// Files on the disk (see `OutputFile`); "-" is standard output.
-/// \param replace  whether existing files may be replaced
-OutputFiles files_on_disk(bool replace);
+OutputFiles files_on_disk(const OutputOptions& options = {});
 
 /// A file that was written to memory.
 struct MemoryFile {
@@ -133,7 +168,8 @@ Result<void> write(const std::string& name, const Document& document, const Form
 /// stem if its format has one (the skeleton of an AMC file), but not for standard output.
 /// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
-                        const WriteOptions& options, bool replace, Diagnostics& diagnostics);
+                        const WriteOptions& options, const OutputOptions& output,
+                        Diagnostics& diagnostics);
 
 }  // namespace kinefile
 

@@ -126,31 +126,13 @@ std::string blanks_for(std::string_view text) {
 
 }  // namespace
 
-namespace {
-
-/// A text without control characters, which may come from a file and control a terminal.
-std::string without_controls(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      safe += fmt::format("\\x{:02x}", byte);
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-}  // namespace
-
 std::string to_string(const Diagnostic& diagnostic) {
   const Place& place = diagnostic.place;
-  std::string text = without_controls(place.source);
+  std::string text = printable(place.source);
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
   if (!text.empty()) text += ": ";
   text += fmt::format("{}[{}]: {}", severity_name(diagnostic.severity), diagnostic.code,
-                      without_controls(diagnostic.message));
+                      printable(diagnostic.message));
   if (place.line > 0 && !diagnostic.excerpt.empty()) {
     const std::string_view before =
         std::string_view(diagnostic.excerpt).substr(0, diagnostic.caret);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
 
 #include "document/compare.hpp"
 #include "kinefile/robot.hpp"
@@ -47,17 +50,33 @@ ComponentDifference alone(const Component& component) {
   return difference;
 }
 
+std::pair<ComponentKind, std::string_view> key_of(const Component& component) {
+  return {component.kind, component.content};
+}
+
+/// Components by what they hold; of equals the first, as `find_component` finds.
+using ComponentIndex = std::map<std::pair<ComponentKind, std::string_view>, const Component*>;
+
+ComponentIndex index_of(const BodyMotion& motion) {
+  ComponentIndex index;
+  for (const Component& one : motion.components) index.emplace(key_of(one), &one);
+  return index;
+}
+
 }  // namespace
 
 Comparison compare_components(const BodyMotion& first, const BodyMotion& second, double tolerance) {
+  const ComponentIndex of_first = index_of(first);
+  const ComponentIndex of_second = index_of(second);
   BodyComparison found;
   for (const Component& a : first.components) {
-    const Component* b = find_component(second, a.kind, a.content);
-    found.components.push_back(b != nullptr ? difference_of(a, *b, tolerance) : alone(a));
-    if (b == nullptr) found.components.back().first = size_of(a);
+    const auto b = of_second.find(key_of(a));
+    const bool is_alone = b == of_second.end();
+    found.components.push_back(is_alone ? alone(a) : difference_of(a, *b->second, tolerance));
+    if (is_alone) found.components.back().first = size_of(a);
   }
   for (const Component& b : second.components) {
-    if (find_component(first, b.kind, b.content) != nullptr) continue;
+    if (of_first.contains(key_of(b))) continue;
     found.components.push_back(alone(b));
     found.components.back().second = size_of(b);
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
+#include "edit/nearest_places.hpp"
 #include "kinefile/kinematics.hpp"
 #include "model/side_names.hpp"
 
@@ -30,42 +30,53 @@ Vec3 image_of(const Vec3& place, const Vec3& normal) {
 }
 
 /// Looks for partners in one pose.
-struct Matcher {
-  const Skeleton& skeleton;
-  const JointPlaces& places;
-  Vec3 normal;
-  std::vector<std::size_t> depths;
+class Matcher {
+ public:
+  Matcher(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
+          const std::vector<std::size_t>& pairs)
+      : skeleton_(skeleton), places_(places), normal_(normal), depths_(depths_of(skeleton)) {
+    std::vector<std::vector<std::size_t>> members;
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      if (pairs[j] != kNoParent) continue;
+      members.resize(std::max(members.size(), depths_[j] + 1));
+      members[depths_[j]].push_back(j);
+    }
+    of_depth_.reserve(members.size());
+    for (const auto& own : members) of_depth_.emplace_back(places, own);
+  }
 
   /// Two joints in the plane, such as hips at the root, are each other's halves if their ends are
   /// not in it.
-  bool is_in_plane(std::size_t joint, const std::vector<std::size_t>& pairs,
-                   double distance) const {
-    if (!(std::abs(normal.dot(places.joints[joint])) <= distance)) return false;
-    const Joint& own = skeleton.joints[joint];
+  bool is_in_plane(std::size_t joint, double distance) const {
+    if (!(std::abs(normal_.dot(places_.joints[joint])) <= distance)) return false;
+    const Joint& own = skeleton_.joints[joint];
     if (own.parent != kNoParent && has_side(own.name)) return false;
-    const bool are_ends_in_plane =
-        std::abs(normal.dot(places.ends[joint])) <= std::max(distance, kEndsInPlane * places.size);
-    return are_ends_in_plane || partner_of(joint, pairs, distance) == kNoParent;
+    const bool are_ends_in_plane = std::abs(normal_.dot(places_.ends[joint])) <=
+                                   std::max(distance, kEndsInPlane * places_.size);
+    return are_ends_in_plane || partner_of(joint, distance) == kNoParent;
   }
 
   /// The joint without a partner that is nearest to the image of another.
-  std::size_t partner_of(std::size_t joint, const std::vector<std::size_t>& pairs,
-                         double distance) const {
-    constexpr double kEndShare = 0.1;  // ends decide between joints at one place
-    double best = std::numeric_limits<double>::infinity();
-    std::size_t nearest = kNoParent;
-    const Vec3 place = image_of(places.joints[joint], normal);
-    const Vec3 end = image_of(places.ends[joint], normal);
-    for (std::size_t j = 0; j < pairs.size(); ++j) {
-      if (j == joint || pairs[j] != kNoParent || depths[j] != depths[joint]) continue;
-      const double apart = (places.joints[j] - place).norm();
-      const double score = apart + kEndShare * (places.ends[j] - end).norm();
-      if (!(apart <= distance) || !(score < best)) continue;
-      best = score;
-      nearest = j;
-    }
-    return nearest;
+  std::size_t partner_of(std::size_t joint, double distance) const {
+    return of_depth_[depths_[joint]].nearest(image_of(places_.joints[joint], normal_),
+                                             image_of(places_.ends[joint], normal_), distance,
+                                             joint);
   }
+
+  /// Makes two joints, or one and itself, each other's partners.
+  void pair(std::size_t a, std::size_t b, std::vector<std::size_t>& pairs) {
+    pairs[a] = b;
+    pairs[b] = a;
+    of_depth_[depths_[a]].remove(a);
+    of_depth_[depths_[b]].remove(b);
+  }
+
+ private:
+  const Skeleton& skeleton_;
+  const JointPlaces& places_;
+  Vec3 normal_;
+  std::vector<std::size_t> depths_;
+  std::vector<NearestPlaces> of_depth_;  ///< joints without a partner
 };
 
 }  // namespace
@@ -108,22 +119,20 @@ JointPlaces rest_places(const Skeleton& skeleton) {
 
 void pair_by_place(const Skeleton& skeleton, const JointPlaces& places, const Vec3& normal,
                    const PairTolerance& tolerance, std::vector<std::size_t>& pairs) {
-  const Matcher matcher{skeleton, places, normal, depths_of(skeleton)};
+  Matcher matcher(skeleton, places, normal, pairs);
   const auto pair_in_plane = [&](double distance) {
     for (std::size_t j = 0; j < pairs.size(); ++j) {
-      if (pairs[j] == kNoParent && matcher.is_in_plane(j, pairs, distance)) pairs[j] = j;
+      if (pairs[j] == kNoParent && matcher.is_in_plane(j, distance)) matcher.pair(j, j, pairs);
     }
   };
   pair_in_plane(tolerance.strict * places.size);
   for (std::size_t j = 0; j < pairs.size(); ++j) {
     if (pairs[j] != kNoParent) continue;
-    const std::size_t other = matcher.partner_of(j, pairs, tolerance.near * places.size);
-    if (other == kNoParent) continue;
-    pairs[j] = other;
-    pairs[other] = j;
+    const std::size_t other = matcher.partner_of(j, tolerance.near * places.size);
+    if (other != kNoParent) matcher.pair(j, other, pairs);
   }
-  pair_in_plane(tolerance.near *
-                places.size);  // spines from motion capture are not exactly straight
+  // Spines from motion capture are not exactly straight.
+  pair_in_plane(tolerance.near * places.size);
 }
 
 void pair_with_themselves(const Skeleton& skeleton, std::vector<std::size_t>& pairs) {

@@ -149,7 +149,7 @@ Result<Document> read_file(const std::string& name, const Format* asked, ReadOpt
                            options.model_root));
   }
   if (path != "-" && !options.companions.open) {
-    options.companions = files_beside(path, options.model_root);
+    options.companions = files_beside(path, options.model_root, &diagnostics);
   }
   options.companions = recording(std::move(options.companions), options.opened);
   const Format* format = asked;
@@ -224,7 +224,7 @@ Result<void> write_companion(const std::string& path, const Document& document,
 Result<RobotProject> read_project_file(const std::string& path, ReadOptions options,
                                        Diagnostics& diagnostics) {
   options.source_name = path == "-" ? "<stdin>" : path;
-  options.companions = recording(files_beside(path), options.opened);
+  options.companions = recording(files_beside(path, {}, &diagnostics), options.opened);
   const auto bytes = open_recorded(path, options.source_name, options.opened);
   if (!bytes) return fail(bytes.error());
   return read_project(bytes->view(), options, diagnostics);
@@ -255,8 +255,9 @@ Result<void> write(const std::string& name, const Document& document, const Form
 }
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
-                        const WriteOptions& options, bool replace, Diagnostics& diagnostics) {
-  const OutputFiles files = files_on_disk(replace);
+                        const WriteOptions& options, const OutputOptions& output,
+                        Diagnostics& diagnostics) {
+  const OutputFiles files = files_on_disk(output);
   auto written = write(path, document, format, options, files, diagnostics);
   return written ? files.commit() : written;
 }

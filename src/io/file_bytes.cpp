@@ -2,13 +2,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <optional>
 
+#include "io/system_calls.hpp"
 #include "kinefile/io.hpp"
 
 namespace kinefile {
@@ -18,19 +18,6 @@ Error cannot_read(const std::string& path, int reason) {
   return make_error(ErrorKind::Io, "IO001", fmt::format("cannot read: {}", std::strerror(reason)),
                     path == "-" ? "<stdin>" : path);
 }
-
-/// A file descriptor that closes itself.
-struct Descriptor {
-  int number;
-  explicit Descriptor(int opened) : number(opened) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() {
-    if (number > STDERR_FILENO) ::close(number);
-  }
-};
 
 Error changed(const std::string& path) {
   return make_error(ErrorKind::Io, "IO001", "cannot read: the file changed while it was read",
@@ -48,26 +35,40 @@ std::optional<Array<char>> read_all(int descriptor, std::size_t likely_size) {
     const std::size_t old_size = bytes.size();
     const std::size_t wanted =
         old_size <= likely_size ? std::min(kBlock, likely_size + 1 - old_size) : kBlock;
-    const ssize_t count = ::read(descriptor, bytes.grow(wanted).data(), wanted);
+    char* const place = bytes.grow(wanted).data();
+    const ssize_t count = uninterrupted([&] { return ::read(descriptor, place, wanted); });
     bytes.resize(old_size + (count > 0 ? static_cast<std::size_t>(count) : 0));
     if (count == 0) return bytes;
-    if (count < 0 && errno != EINTR) return std::nullopt;
+    const bool waits = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
+    if (count < 0 && !(waits && wait_for(descriptor, POLLIN))) return std::nullopt;
   }
+}
+
+/// Whether a regular file is no longer what it was. Its time may stand still while it is written
+/// twice within one tick of the system's clock; its size tells most of these.
+bool has_changed(const struct stat& before, const struct stat& after) {
+  return before.st_size != after.st_size || before.st_mtim.tv_sec != after.st_mtim.tv_sec ||
+         before.st_mtim.tv_nsec != after.st_mtim.tv_nsec;
 }
 
 }  // namespace
 
 Result<FileBytes> FileBytes::open(const std::string& path) {
-  const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat status {};
-  if (file.number < 0 || ::fstat(file.number, &status) != 0) return fail(cannot_read(path, errno));
-  if (S_ISDIR(status.st_mode)) return fail(cannot_read(path, EISDIR));
-  const bool has_size = S_ISREG(status.st_mode) && path != "-";
-  const std::size_t size = has_size ? static_cast<std::size_t>(status.st_size) : 0;
-  auto read = read_all(file.number, size);
+  const bool is_stdin = path == "-";
+  const Descriptor file(is_stdin ? STDIN_FILENO : uninterrupted([&] {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  }));
+  struct stat before {};
+  if (!file || ::fstat(file.number(), &before) != 0) return fail(cannot_read(path, errno));
+  if (S_ISDIR(before.st_mode)) return fail(cannot_read(path, EISDIR));
+  const bool has_size = S_ISREG(before.st_mode) && !is_stdin;
+  const std::size_t size = has_size ? static_cast<std::size_t>(before.st_size) : 0;
+  auto read = read_all(file.number(), size);
   if (!read) return fail(cannot_read(path, errno));
-  // If the file became shorter during reading, the bytes are neither the old nor the new content.
-  if (read->size() < size) return fail(changed(path));
+  struct stat after {};
+  if (has_size && (::fstat(file.number(), &after) != 0 || has_changed(before, after))) {
+    return fail(changed(path));  // the bytes may be neither the old nor the new content
+  }
   FileBytes bytes;
   bytes.bytes_ = std::make_shared<const Array<char>>(std::move(*read));
   return bytes;

@@ -9,41 +9,29 @@
 namespace kinefile {
 namespace {
 
-struct DiskFile {
-  std::string name;
-  OutputFile file;
-};
+/// Files stay where they are: sinks point to them.
+using DiskFiles = std::vector<std::unique_ptr<OutputFile>>;
 
-/// Gives files their final names. If one fails, those before it are removed, unless they replaced
-/// others.
-Result<void> commit_all(std::vector<std::unique_ptr<DiskFile>>& files, bool replace) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    auto committed = files[i]->file.commit();
-    if (committed) continue;
-    std::error_code ignored;
-    for (std::size_t k = 0; k < i && !replace; ++k) {
-      std::filesystem::remove(files[k]->name, ignored);
-    }
-    return committed;
-  }
-  return {};
+Result<void> commit_all(const DiskFiles& files) {
+  std::vector<OutputFile*> all;
+  for (const auto& file : files) all.push_back(file.get());
+  return OutputFile::commit_all(all);
 }
 
 }  // namespace
 
-OutputFiles files_on_disk(bool replace) {
-  auto files = std::make_shared<std::vector<std::unique_ptr<DiskFile>>>();
+OutputFiles files_on_disk(const OutputOptions& options) {
+  auto files = std::make_shared<DiskFiles>();
   OutputFiles disk;
-  disk.open = [files, replace](const std::string& name) -> Result<Sink> {
-    auto file = OutputFile::create(name, replace);
+  disk.open = [files, options](const std::string& name) -> Result<Sink> {
+    auto file = OutputFile::create(name, options);
     if (!file) return fail(std::move(file.error()));
-    files->push_back(std::make_unique<DiskFile>(DiskFile{name, std::move(*file)}));
-    return Sink(
-        [own = files->back().get()](std::string_view piece) { return own->file.write(piece); });
+    files->push_back(std::make_unique<OutputFile>(std::move(*file)));
+    return Sink([own = files->back().get()](std::string_view piece) { return own->write(piece); });
   };
   disk.fault = [files]() -> Result<void> {
     for (const auto& own : *files) {
-      if (auto fault = own->file.fault(); !fault) return fault;
+      if (auto fault = own->fault(); !fault) return fault;
     }
     return {};
   };
@@ -51,7 +39,7 @@ OutputFiles files_on_disk(bool replace) {
     std::error_code ignored;
     return std::filesystem::exists(name, ignored);
   };
-  disk.commit = [files, replace] { return commit_all(*files, replace); };
+  disk.commit = [files] { return commit_all(*files); };
   return disk;
 }
 

@@ -72,6 +72,26 @@ simd::PlannedJoint plan_joint(const Joint& joint, const Vec3& direction) {
   return planned;
 }
 
+/// Gives each joint a slot for its pose. A slot is free again when the last child has been placed:
+/// so there are as many as the tree is deep, or a few more, and they stay in the fastest memory.
+void assign_slots(simd::Plan& plan) {
+  std::vector<std::size_t> last_child(plan.joints.size(), simd::kNoJoint);
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    if (plan.joints[j].parent != simd::kNoJoint) last_child[plan.joints[j].parent] = j;
+  }
+  std::vector<std::size_t> free;
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    simd::PlannedJoint& joint = plan.joints[j];
+    if (free.empty()) free.push_back(plan.num_slots++);
+    joint.slot = free.back();
+    free.pop_back();
+    if (last_child[j] == simd::kNoJoint) free.push_back(joint.slot);
+    if (joint.parent != simd::kNoJoint && last_child[joint.parent] == j) {
+      free.push_back(plan.joints[joint.parent].slot);
+    }
+  }
+}
+
 simd::Plan make_plan(const Skeleton& skeleton, bool is_local) {
   simd::Plan plan;
   plan.is_in_degrees = skeleton.angle_unit == AngleUnit::Degrees;
@@ -80,6 +100,7 @@ simd::Plan make_plan(const Skeleton& skeleton, bool is_local) {
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     plan.joints.push_back(plan_joint(skeleton.joints[j], directions[j]));
   }
+  assign_slots(plan);
   return plan;
 }
 

@@ -256,10 +256,11 @@ void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& bloc
 }
 
 /// Places joint `j`; its parent has been placed.
-void place_joint(const Plan& plan, std::size_t j, const Block& block, std::vector<Pose>& poses) {
+void place_joint(const Plan& plan, std::size_t j, const Block& block,
+                 std::vector<Pose>& pose_of_slot) {
   constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const PlannedJoint& joint = plan.joints[j];
-  Pose& pose = poses[j];
+  Pose& pose = pose_of_slot[joint.slot];
   const bool is_root = joint.parent == kNoJoint;
   VectorLanes origin;
   local_position(joint, block, origin);
@@ -268,8 +269,9 @@ void place_joint(const Plan& plan, std::size_t j, const Block& block, std::vecto
     fill(pose.rotation, kIdentity);
     pose.position = origin;
   } else {
-    pose = poses[joint.parent];
-    add_rotated(poses[joint.parent].rotation, origin, pose.position);
+    const Pose& parent = pose_of_slot[plan.joints[joint.parent].slot];
+    pose = parent;
+    add_rotated(parent.rotation, origin, pose.position);
   }
   if (joint.has_rest_rotation) {
     MatrixLanes rest;
@@ -345,32 +347,34 @@ void store_joint(const Plan& plan, std::size_t j, const Block& block, const Pose
   }
 }
 
-void store_tips(const Plan& plan, const Block& block, const std::vector<Pose>& poses,
+/// \param first  of the joint's tips among all tips
+void store_tips(const PlannedJoint& joint, std::size_t first, const Block& block, const Pose& pose,
                 const PoseOutput& out) {
-  std::size_t tip = 0;
-  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-    for (const Vector& offset : plan.joints[j].tips) {
-      VectorLanes point;
-      fill(point, offset);
-      apply_tail(plan.joints[j], point, block);
-      VectorLanes place = poses[j].position;
-      add_rotated(poses[j].rotation, point, place);
-      store_point(place, block, out.num_tips * 3,
-                  out.tips + (block.first * out.num_tips + tip) * 3);
-      ++tip;
-    }
+  for (std::size_t t = 0; t < joint.tips.size(); ++t) {
+    VectorLanes point;
+    fill(point, joint.tips[t]);
+    apply_tail(joint, point, block);
+    VectorLanes place = pose.position;
+    add_rotated(pose.rotation, point, place);
+    store_point(place, block, out.num_tips * 3,
+                out.tips + (block.first * out.num_tips + first + t) * 3);
   }
 }
 
 void place_all(const Plan& plan, const Rows& rows, const PoseOutput& out) {
-  std::vector<Pose> poses(plan.joints.size());
+  std::vector<Pose> pose_of_slot(plan.num_slots);
   for (std::size_t first = 0; first < rows.num_frames; first += kBlock) {
     const Block block{rows, first, std::min(kBlock, rows.num_frames - first)};
+    std::size_t num_tips = 0;
     for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-      place_joint(plan, j, block, poses);
-      store_joint(plan, j, block, poses[j], out);
+      const PlannedJoint& joint = plan.joints[j];
+      place_joint(plan, j, block, pose_of_slot);
+      store_joint(plan, j, block, pose_of_slot[joint.slot], out);
+      if (out.tips != nullptr) {
+        store_tips(joint, num_tips, block, pose_of_slot[joint.slot], out);
+      }
+      num_tips += joint.tips.size();
     }
-    if (out.tips != nullptr) store_tips(plan, block, poses, out);
   }
 }
 

@@ -71,10 +71,12 @@ struct PlannedJoint {
   std::vector<TailMove> tail_moves;  ///< the first of them is outermost
   Vector direction{};                ///< unit vector along the bone, in the joint's frame
   std::vector<Vector> tips;
+  std::size_t slot = 0;  ///< where its pose is kept, until its last child has been placed
 };
 
 struct Plan {
   std::vector<PlannedJoint> joints;
+  std::size_t num_slots = 0;
   bool is_in_degrees = true;
   bool is_local = false;  ///< parent_from_joint instead of world_from_joint
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/printable.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::text {
@@ -43,9 +44,13 @@ void cut_excerpt(std::string_view from_line_start, std::size_t column, Diagnosti
   while (is_cut && end > begin && is_continuation(from_line_start[end])) --end;
   diagnostic.excerpt = begin > 0 ? "..." : "";
   diagnostic.caret = diagnostic.excerpt.size() + column - begin;
-  for (const char c : from_line_start.substr(begin, end - begin)) {
-    const auto byte = static_cast<unsigned char>(c);
-    diagnostic.excerpt += (byte < 0x20 && c != '\t') || byte == 0x7F ? '?' : c;
+  // A place holder for each byte: the caret counts bytes.
+  for (std::string_view rest = from_line_start.substr(begin, end - begin); !rest.empty();) {
+    const Character first = first_character(rest);
+    const bool is_shown = first.is_printable || rest[0] == '\t';
+    diagnostic.excerpt +=
+        is_shown ? std::string(rest.substr(0, first.length)) : std::string(first.length, '?');
+    rest.remove_prefix(first.length);
   }
   if (is_cut) diagnostic.excerpt += "...";
 }
@@ -95,14 +100,7 @@ std::string quoted(std::string_view token) {
   std::string shown = "'";
   std::size_t length = std::min(token.size(), kLongest);
   while (length < token.size() && length > 0 && is_continuation(token[length])) --length;
-  for (const char c : token.substr(0, length)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      shown += fmt::format("\\x{:02x}", byte);
-    } else {
-      shown += c;
-    }
-  }
+  shown += printable(token.substr(0, length));
   return shown + (length < token.size() ? "...'" : "'");
 }
 

@@ -86,5 +86,24 @@ TEST(Diagnostics, ShowsNoControlCharactersOfAFile) {
             "error[X]: joint '\\x1b[2J'");
 }
 
+TEST(Printable, ShowsWhatControlsATerminal) {
+  EXPECT_EQ(printable("a b"), "a b");
+  EXPECT_EQ(printable("\xE6\xAD\xA9\xE3\x81\x8F \xC3\xA9 \xF0\x9F\x95\xBA"),
+            "\xE6\xAD\xA9\xE3\x81\x8F \xC3\xA9 \xF0\x9F\x95\xBA");
+  EXPECT_EQ(printable("\x1b[31m\t\n\x7f"), "\\x1b[31m\\x09\\x0a\\x7f");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "\\u009b31m");
+  EXPECT_EQ(printable("\xE2\x80\xAE"
+                      "abc\xE2\x81\xA6\xD8\x9C"),
+            "\\u202eabc\\u2066\\u061c");
+  EXPECT_EQ(printable("\x9B"
+                      "31m\xE3\x81"),
+            "\\x9b31m\\xe3\\x81")
+      << "bytes that are no UTF-8";
+  EXPECT_EQ(printable("\xC0\x9B\xE0\x82\x9B\xF4\x90"), "\\xc0\\x9b\\xe0\\x82\\x9b\\xf4\\x90")
+      << "longer than need be, or beyond Unicode";
+}
+
 }  // namespace
 }  // namespace kinefile

@@ -53,13 +53,13 @@ TEST_F(Disk, SaysWhyAFileCannotBeRead) {
 
 TEST_F(Disk, AFileAppearsWholeOrNotAtAll) {
   {
-    auto file = OutputFile::create(path("a"), false);
+    auto file = OutputFile::create(path("a"));
     ASSERT_TRUE(file);
     EXPECT_TRUE(file->write("half"));
     EXPECT_FALSE(fs::exists(path("a")));
   }
   EXPECT_EQ(num_files(), 0u) << "an uncommitted file leaves nothing behind";
-  auto file = OutputFile::create(path("a"), false);
+  auto file = OutputFile::create(path("a"));
   ASSERT_TRUE(file->write("whole"));
   ASSERT_TRUE(file->commit());
   EXPECT_EQ(test::bytes_of(path("a")), "whole");
@@ -67,10 +67,10 @@ TEST_F(Disk, AFileAppearsWholeOrNotAtAll) {
 
 TEST_F(Disk, AnExistingFileIsReplacedOnlyOnRequest) {
   put("a", "old");
-  const auto refused = OutputFile::create(path("a"), false);
+  const auto refused = OutputFile::create(path("a"));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "IO002");
-  auto file = OutputFile::create(path("a"), true);
+  auto file = OutputFile::create(path("a"), {.may_replace = true});
   ASSERT_TRUE(file->write("new"));
   EXPECT_EQ(test::bytes_of(path("a")), "old");
   ASSERT_TRUE(file->commit());
@@ -79,7 +79,7 @@ TEST_F(Disk, AnExistingFileIsReplacedOnlyOnRequest) {
 
 TEST_F(Disk, AFileThatAppearsMeanwhileIsNotReplaced) {
   {
-    auto file = OutputFile::create(path("a"), false);
+    auto file = OutputFile::create(path("a"));
     ASSERT_TRUE(file->write("ours"));
     put("a", "theirs");
     EXPECT_FALSE(file->commit());
@@ -91,7 +91,7 @@ TEST_F(Disk, AFileThatAppearsMeanwhileIsNotReplaced) {
 TEST_F(Disk, ALinkStaysALink) {
   put("target", "old");
   fs::create_symlink(path("target"), path("link"));
-  auto file = OutputFile::create(path("link"), true);
+  auto file = OutputFile::create(path("link"), {.may_replace = true});
   ASSERT_TRUE(file->write("new"));
   ASSERT_TRUE(file->commit());
   EXPECT_TRUE(fs::is_symlink(path("link")));
@@ -101,20 +101,20 @@ TEST_F(Disk, ALinkStaysALink) {
 TEST_F(Disk, AReplacedFileKeepsItsRights) {
   put("a", "old");
   chmod(path("a").c_str(), 0640);
-  auto file = OutputFile::create(path("a"), true);
+  auto file = OutputFile::create(path("a"), {.may_replace = true});
   ASSERT_TRUE(file->commit());
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0640));
 }
 
 TEST_F(Disk, SaysWhyAFileCannotBeWritten) {
-  const auto file = OutputFile::create(path("none/a"), false);
+  const auto file = OutputFile::create(path("none/a"));
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, "IO003");
 }
 
 TEST_F(Disk, AFullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  auto file = OutputFile::create("/dev/full", false);
+  auto file = OutputFile::create("/dev/full");
   ASSERT_TRUE(file);
   EXPECT_FALSE(file->write(std::string(100'000, 'x')));
   EXPECT_FALSE(file->commit());
@@ -172,6 +172,25 @@ TEST_F(Disk, FilesOutsideOfAFolderAreFoundBelowTheRootAlone) {
   EXPECT_FALSE(opens(files_beside(arm, path("top/han")), "../hand/Hand.body"));
 }
 
+TEST_F(Disk, LinksOutOfTheFolderAreNotOpenedAndTold) {
+  for (const char* name : {"models", "other", "models/own"}) fs::create_directories(folder_ / name);
+  put("other/secret.txt", "secret");
+  put("models/own/inner.body", "inner");
+  fs::create_symlink(path("other/secret.txt"), path("models/link.body"));
+  fs::create_symlink("own/inner.body", path("models/inside.body"));
+  Diagnostics refusals;
+  const Resolver files = files_beside(path("models/arm.body"), {}, &refusals);
+  EXPECT_FALSE(files.open("link.body"));
+  EXPECT_FALSE(files.open("LINK.body"));
+  EXPECT_TRUE(files.open("inside.body"));
+  EXPECT_FALSE(files.open("none.body"));
+  EXPECT_EQ(test::text_of(refusals),
+            path("models/link.body") +
+                ": warning[IO005]: not opened: this link leads out of the folder; --skeleton names "
+                "a skeleton, --model-root a folder that a model's parts may lie in\n");
+  EXPECT_TRUE(files_beside(path("models/arm.body"), folder_).open("link.body"));
+}
+
 TEST_F(Disk, FilesThatAreOpenedAreRecorded) {
   fs::create_directories(folder_ / "parts");
   const std::string arm =
@@ -224,7 +243,7 @@ TEST_F(Disk, RefusedDocumentsLeaveNoFile) {
   Document document;
   document.content = Skeleton{};
   Diagnostics diagnostics;
-  EXPECT_FALSE(write_file(path("a.csv"), document, *find_format("csv"), {}, false, diagnostics));
+  EXPECT_FALSE(write_file(path("a.csv"), document, *find_format("csv"), {}, {}, diagnostics));
   EXPECT_EQ(num_files(), 0u);
 }
 

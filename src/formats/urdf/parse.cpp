@@ -76,6 +76,7 @@ class Parser {
     std::size_t other = 0;  ///< the link below the other joint
     double multiplier = 1;
     double offset = 0;
+    bool is_followed = false;  ///< whether `other` is at the end of its chain
     robot_file::Spot spot;
   };
 
@@ -226,7 +227,7 @@ class Parser {
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
       link_of_joint.emplace(robot_.links[l].joint_name, l);
     }
-    std::unordered_map<std::size_t, const Mimic*> mimic_of_link;
+    std::unordered_map<std::size_t, Mimic*> mimic_of_link;
     for (Mimic& mimic : mimics_) {
       const auto found = link_of_joint.find(mimic.joint);
       if (found == link_of_joint.end()) {
@@ -238,26 +239,39 @@ class Parser {
         mimic_of_link.emplace(mimic.link, &mimic);
       }
     }
-    for (const Mimic& mimic : mimics_) {
-      if (is_good_) follow_mimic(mimic, mimic_of_link);
+    for (Mimic& mimic : mimics_) {
+      if (is_good_ && !mimic.is_followed) follow_mimic(mimic, mimic_of_link);
+      if (is_good_) end_mimic(mimic, {mimic.other, mimic.multiplier, mimic.offset});
     }
   }
 
-  void follow_mimic(const Mimic& mimic,
-                    const std::unordered_map<std::size_t, const Mimic*>& mimic_of_link) {
-    robot_file::Follows follows{mimic.other, mimic.multiplier, mimic.offset};
-    for (std::size_t step = 0; step <= mimics_.size(); ++step) {
-      const auto next = mimic_of_link.find(follows.link);
-      if (next == mimic_of_link.end()) {
-        end_mimic(mimic, follows);
+  /// Replaces the joint that one follows by the one at the end of the chain, for all in the chain.
+  void follow_mimic(Mimic& mimic, const std::unordered_map<std::size_t, Mimic*>& mimic_of_link) {
+    std::vector<Mimic*> chain;
+    const Mimic* end = nullptr;
+    for (Mimic* one = &mimic; one != nullptr && end == nullptr;) {
+      chain.push_back(one);
+      if (chain.size() > mimics_.size()) {
+        error(mimic.spot, code::kBadMimic,
+              fmt::format("expected a joint that follows none in the end, found that {} mimics "
+                          "itself",
+                          text::quoted(robot_.links[mimic.link].joint_name)));
         return;
       }
-      follows = {next->second->other, follows.gain * next->second->multiplier,
-                 follows.gain * next->second->offset + follows.shift};
+      const auto next = mimic_of_link.find(one->other);
+      one = next == mimic_of_link.end() ? nullptr : next->second;
+      if (one != nullptr && one->is_followed) end = one;
     }
-    error(mimic.spot, code::kBadMimic,
-          fmt::format("expected a joint that follows none in the end, found that {} mimics itself",
-                      text::quoted(robot_.links[mimic.link].joint_name)));
+    for (auto one = chain.rbegin(); one != chain.rend(); ++one) {
+      Mimic& own = **one;
+      if (end != nullptr) {
+        own.other = end->other;
+        own.offset += own.multiplier * end->offset;
+        own.multiplier *= end->multiplier;
+      }
+      own.is_followed = true;
+      end = &own;
+    }
   }
 
   /// Makes a joint follow the joint at the end of its chain, if that moves.

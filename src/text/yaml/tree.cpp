@@ -27,6 +27,9 @@ constexpr std::size_t kCountLimit = std::numeric_limits<std::size_t>::max() / 4;
 /// The bytes of a row besides its text: a line end, the indentation, "- ".
 constexpr std::size_t kRowMargin = 9;
 
+/// The most bytes that are reserved for rows, for each byte of the text.
+constexpr std::size_t kMostReservedPerByte = 24;
+
 std::size_t added(std::size_t a, std::size_t b) { return std::min(a + b, kCountLimit); }
 
 }  // namespace
@@ -191,13 +194,18 @@ class TreeBuilder {
     }
     sequence.children.clear();
     // Reserves space for as many more rows as the text may contain, so that numbers need not move.
-    // Unused memory is not committed.
+    // Unused memory is not committed; but a text of many lists would reserve for each of them what
+    // the rest of the text may contain, so all together have a limit.
     const auto num_bytes = static_cast<std::size_t>(source_.end() - event.at);
     const std::size_t num_rows = num_bytes / (event.value.size() + kRowMargin) + 1;
     std::size_t num_values = 0;
     for (const std::int32_t group : tree_.rows_.shape(event.row)) {
       if (group != kEmptyGroup) num_values += static_cast<std::size_t>(std::abs(group));
     }
+    const std::size_t reserved =
+        num_rows * (sizeof(RowEntries::Entry) + num_values * sizeof(double));
+    if (reserved > kMostReservedPerByte * source_.text().size() - num_reserved_) return;
+    num_reserved_ += reserved;
     sequence.rows->entries.reserve(num_rows);
     sequence.rows->values.reserve(num_rows * num_values);
   }
@@ -259,6 +267,7 @@ class TreeBuilder {
   std::unordered_set<const Node*> is_open_;
   std::unordered_map<std::string_view, Node*> anchors_;
   std::size_t num_added_ = 0;
+  std::size_t num_reserved_ = 0;  ///< bytes, for the rows of all lists
   bool is_failed_ = false;
 };
 

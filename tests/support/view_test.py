@@ -242,7 +242,7 @@ class View(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         _, messages = process.communicate(timeout=60)
         self.assertEqual((process.returncode, messages),
-                         (3, b"error[PAG003]: stopped by a signal\n"))
+                         (-signal.SIGINT, b"error[PAG003]: stopped by a signal\n"))
         self.expect_nothing_left(log)
 
     def test_without_a_browser_there_is_no_picture(self):

@@ -55,6 +55,7 @@ struct MirrorContext {
   Diagnostics& diagnostics;
   std::vector<Quat> frames = {};            ///< G: the rotations of joints in the symmetric pose
   std::vector<std::size_t> leaders = {};    ///< of columns
+  std::vector<double> rest = {};            ///< of columns
   Mat3 skeleton_mirror = Mat3::Identity();  ///< T
   Mat3 world_mirror = Mat3::Identity();     ///< S
   bool is_at_rest = true;                   ///< the symmetric pose is that with angles 0
@@ -266,7 +267,7 @@ double find_rotations(const MirrorContext& context, const JointPlan& plan, const
     }
     return 0;
   }
-  RotationFitter fitter(to, skeleton.angle_unit, rest_coordinates(skeleton), follows);
+  RotationFitter fitter(to, skeleton.angle_unit, context.rest, follows);
   simd::Quaternions found;
   double residual = 0;
   for (const FrameBatch& frames : batches_of(clip.num_frames)) {
@@ -358,6 +359,7 @@ Result<Motion> mirror(const Motion& motion, std::optional<std::size_t> axis, boo
   context.is_at_rest = !plane->frame.has_value();
   context.frames = plane->frame ? frames_in(motion, *plane->frame) : rest_frames(skeleton);
   context.leaders = leaders_of_columns(skeleton);
+  context.rest = rest_coordinates(skeleton);
   context.skeleton_mirror = mirror_of(plane->skeleton_normal);
   context.world_mirror = mirror_of(Vec3::Unit(static_cast<Eigen::Index>(plane->world_axis)));
   if (!plane->is_symmetric) {

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace kinefile {
 namespace {
 
-void copy_columns(const DegreeOfFreedom& dof, std::span<const double> from, std::span<double> to) {
-  std::copy_n(&from[dof.coordinate], num_coordinates(dof), &to[dof.coordinate]);
+/// Copies the numbers of a degree of freedom, whose columns differ in the two rows.
+void copy_columns(const DegreeOfFreedom& from_dof, std::span<const double> from,
+                  const DegreeOfFreedom& to_dof, std::span<double> to) {
+  std::copy_n(&from[from_dof.coordinate], num_coordinates(to_dof), &to[to_dof.coordinate]);
 }
 
 }  // namespace
@@ -58,7 +61,20 @@ RotationFitter::RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit
     };
     finder_.emplace(*axes, unit == AngleUnit::Degrees, Vec3(angle(0), angle(1), angle(2)));
   } else {
-    near_.assign(start.begin(), start.end());
+    begin_near(start);
+  }
+}
+
+/// Keeps just the joint's own columns: rows of many joints are long.
+void RotationFitter::begin_near(std::span<const double> start) {
+  std::map<std::size_t, std::size_t> places;  // two may read one column
+  near_dofs_ = rotations_;
+  for (std::size_t d = 0; d < rotations_.size(); ++d) {
+    const std::size_t count = num_coordinates(rotations_[d]);
+    const auto [place, is_new] = places.emplace(rotations_[d].coordinate, near_.size());
+    near_dofs_[d].coordinate = place->second;
+    near_.resize(std::max(near_.size(), place->second + count));
+    copy_columns(rotations_[d], start, near_dofs_[d], near_);
   }
 }
 
@@ -84,20 +100,20 @@ double RotationFitter::fit_one_by_one(const simd::Quaternions& quaternions,
     const bool is_finite = rotation.coeffs().allFinite();
     for (std::size_t d = 0; d < rotations_.size(); ++d) {  // values that other joints lead are in
                                                            // the row already
-      if (!follows_.empty() && follows_[d]) copy_columns(rotations_[d], row, near_);
+      if (!follows_.empty() && follows_[d]) copy_columns(rotations_[d], row, near_dofs_[d], near_);
     }
     const bool is_exact = is_whole_rotation(rotations_) && (follows_.empty() || !follows_[0]);
     if (is_finite && is_exact) {
-      set_whole_rotation(rotations_[0], rotation, unit_, near_);
+      set_whole_rotation(near_dofs_[0], rotation, unit_, near_);
     } else if (is_finite) {
       const Mat3 matrix = rotation.toRotationMatrix();
-      largest = std::max(largest, fit_rotation(rotations_, matrix, unit_, near_, follows_));
+      largest = std::max(largest, fit_rotation(near_dofs_, matrix, unit_, near_, follows_));
     }
     for (std::size_t d = 0; d < rotations_.size(); ++d) {
       if (!follows_.empty() && follows_[d]) continue;
       const DegreeOfFreedom& dof = rotations_[d];
       if (is_finite) {
-        copy_columns(dof, near_, row);
+        copy_columns(near_dofs_[d], near_, dof, row);
       } else {
         std::fill_n(&row[dof.coordinate], num_coordinates(dof),
                     std::numeric_limits<double>::quiet_NaN());

@@ -42,6 +42,7 @@ class RotationFitter {
   double fit(simd::Quaternions& quaternions, const FrameBatch& frames, const Rows& rows);
 
  private:
+  void begin_near(std::span<const double> start);
   double fit_one_by_one(const simd::Quaternions& quaternions, const FrameBatch& frames,
                         const Rows& rows);
 
@@ -49,7 +50,8 @@ class RotationFitter {
   AngleUnit unit_;
   std::vector<bool> follows_;
   std::optional<rotation::AngleFinder> finder_;  ///< if three axes can represent every rotation
-  std::vector<double> near_;                     ///< otherwise: a row with the previous numbers
+  std::vector<DegreeOfFreedom> near_dofs_;       ///< otherwise: the same, of the columns in `near_`
+  std::vector<double> near_;                     ///< with the previous numbers
   simd::Angles angles_;
 };
 

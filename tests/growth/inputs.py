@@ -66,9 +66,10 @@ def csv_of_points(count):
     return f"time,{names}\n{rows}"
 
 
-def csv_of_channels(count):
-    names = ",".join(f"j{i}.Zrotation,j{i}.Xrotation,j{i}.Yrotation" for i in range(count))
-    rows = "".join(f"{0.01 * frame:.2f}" + ",1,2,3" * count + "\n" for frame in range(3))
+def csv_of_links(count):
+    channels = ("x", "y", "z", "qw", "qx", "qy", "qz")
+    names = ",".join(f"l{i}.{channel}" for i in range(count) for channel in channels)
+    rows = "".join(f"{0.01 * frame:.2f}" + ",1,2,3,1,0,0,0" * count + "\n" for frame in range(3))
     return f"time,{names}\n{rows}"
 
 
@@ -130,14 +131,9 @@ def wrl(count):
 
 def robovie(num_blocks):
     words = ",".join(["0x0000"] * 62)
-    zeros = " ".join(["0"] * 30)
     blocks = "".join(
-        f"_MOTION_INFO:[[B{i}]]-[50]-[{10 + i}]-[6]-[6]-[{i + 2 if i + 1 < num_blocks else -1}]-[-1]\n"
-        f"_POSE:[40]-[{words}]-[[]]-[{zeros}]\n\n" for i in range(num_blocks))
-    return ("_MOTION_FORMAT:[POSEDEF_V1R4]\n_ENABLE_AXIS:[62]\n\n"
-            f"_MOTION_INFO:[[]]-[50]-[10]-[6]-[0]-[1]-[-1]\n_STARTMOT:\n\n{blocks}")
-
-
-def servo_map(count):
-    servos = "".join(f"  - {{slider: {i}, joint: L{i}, units_per_degree: 182}}\n" for i in range(count))
-    return f"sliders: {count}\ntick: 16667\nservos:\n{servos}"
+        f"_MOTION_INFO : [[B{i}]]-[50]-[{10 + i}]-[6]-[6]-[{i + 2}]-[-1]\n"
+        f"_POSE : [40]-[{words}]-[[]]-[{'0' * 30}]\n\n" for i in range(num_blocks))
+    return ("_MOTION_FORMAT : [ POSEDEF_V1R4 ]\n_ENABLE_AXIS : [62]\n\n"
+            f"_MOTION_INFO : [[]]-[50]-[10]-[6]-[0]-[1]-[-1]\n_STARTMOT :\n\n{blocks}"
+            "_MOTION_INFO : [[END]]-[50]-[316]-[16]-[46]-[-1]-[-1]\n_ENDMOT :\n")

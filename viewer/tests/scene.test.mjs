@@ -450,6 +450,25 @@ ${rows}
     await context.close();
   });
 
+  test('a figure that walks out of the picture is framed again, unless a person framed it', async () => {
+    const {tab, context} = await opened(browser, [file('far.bvh', walker({step: 0.2}))]);
+    const wish = {width: 300, height: 300, isExact: true};
+    const share = async () => (await found(tab, await picture(tab, wish), 'yellow')).share;
+    assert.ok((await share()) > 0.002, 'at first');
+    await tab.keyboard.press('End');
+    await tab.waitForFunction(() => document.querySelector('#frame').value === '89');
+    let there = 0;
+    for (let k = 0; k < 50 && there < 0.002; k++) there = await share();
+    assert.ok(there >= 0.002, `at the end: ${there}`);
+    await tab.focus('#canvas');
+    await tab.keyboard.press('Control+ArrowRight');
+    await tab.keyboard.press('Home');
+    await tab.waitForFunction(() => document.querySelector('#frame').value === '0');
+    for (let k = 0; k < 50 && there > 0; k++) there = await share();
+    assert.equal(there, 0, 'a view that a person has chosen stays');
+    await context.close();
+  });
+
   test('the keyboard turns and zooms without stepping through frames', async () => {
     const {tab, context} = await opened(browser, [file('walk.bvh', walker())]);
     const wish = {width: 300, height: 300};

@@ -177,6 +177,11 @@ export function makeScene(
       ? present.clone().expandByScalar(kRoom * size)
       : framedBox(whole, present, size, figures.skin());
   };
+  /** Whether nothing is seen where a person has chosen nothing: long walks leave the picture. */
+  const isOutOfView = () => {
+    const boxes = figures.boxes();
+    return !cameras.isMoved && boxes.length > 0 && !boxes.some(cameras.sees);
+  };
   const frameNow = () => {
     const isAnew = mustFrame === 'anew';
     // A view that a person has chosen stays where a new motion is in it.
@@ -207,6 +212,7 @@ export function makeScene(
     isDrawing = true;
     const isChanged = update(store.state.seconds);
     const waits = figures.visible().some(({figure}) => figure.shown === null);
+    if (isOutOfView() && mustFrame === 'no') mustFrame = 'again';
     if (mustFrame !== 'no' && !waits) frameNow();
     const isOnTheWay = followActive(now);
     if (isChanged || isDirty || isOnTheWay) drawNow();

@@ -20,6 +20,8 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
 
+#include "signals.hpp"
+
 namespace kinefile::cli {
 namespace {
 

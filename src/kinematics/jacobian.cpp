@@ -176,7 +176,7 @@ void add_rotations(const simd::PlannedJoint& joint, Mat3 outer, const Vec3& arm,
 }  // namespace
 
 void Kinematics::place_row(std::span<const double> row, std::span<JointFrame> frames) const {
-  const std::vector<simd::PlannedJoint>& joints = plan_->world.joints;
+  const std::vector<simd::PlannedJoint>& joints = plan_->joints.joints;
   assert(row.size() == plan_->num_coordinates && frames.size() == joints.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const simd::PlannedJoint& joint = joints[j];
@@ -195,7 +195,7 @@ void Kinematics::place_row(std::span<const double> row, std::span<JointFrame> fr
     for (const simd::Turn& turn : joint.turns) {
       double angle = turn.input.value(row.data());
       // Whole turns are subtracted first, which is exact in degrees.
-      if (plan_->world.is_in_degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
+      if (plan_->joints.is_in_degrees) angle = std::remainder(angle, 360.0) * kRadiansPerDegree;
       frame.rotation = frame.rotation * Eigen::AngleAxisd(angle, eigen_of(turn.direction));
     }
   }
@@ -203,7 +203,7 @@ void Kinematics::place_row(std::span<const double> row, std::span<JointFrame> fr
 
 Vec3 Kinematics::position_of(const JointPoint& point, std::span<const double> row,
                              std::span<const JointFrame> frames) const {
-  const simd::PlannedJoint& joint = plan_->world.joints[point.joint];
+  const simd::PlannedJoint& joint = plan_->joints.joints[point.joint];
   const JointFrame& frame = frames[point.joint];
   const std::size_t num_moves = point.is_on_tail ? joint.tail_moves.size() : 0;
   return frame.position + frame.rotation * on_tail(joint, row, num_moves, point.offset);
@@ -211,7 +211,7 @@ Vec3 Kinematics::position_of(const JointPoint& point, std::span<const double> ro
 
 void Kinematics::jacobian(const JointPoint& point, std::span<const double> row,
                           std::span<const JointFrame> frames, std::span<double> jacobian) const {
-  const std::vector<simd::PlannedJoint>& joints = plan_->world.joints;
+  const std::vector<simd::PlannedJoint>& joints = plan_->joints.joints;
   assert(jacobian.size() == 3 * plan_->num_coordinates && frames.size() == joints.size());
   std::fill(jacobian.begin(), jacobian.end(), 0.0);
   const Columns columns{jacobian};

@@ -92,10 +92,9 @@ void assign_slots(simd::Plan& plan) {
   }
 }
 
-simd::Plan make_plan(const Skeleton& skeleton, bool is_local) {
+simd::Plan make_plan(const Skeleton& skeleton) {
   simd::Plan plan;
   plan.is_in_degrees = skeleton.angle_unit == AngleUnit::Degrees;
-  plan.is_local = is_local;
   const std::vector<Vec3> directions = bone_directions(skeleton);
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     plan.joints.push_back(plan_joint(skeleton.joints[j], directions[j]));
@@ -104,8 +103,8 @@ simd::Plan make_plan(const Skeleton& skeleton, bool is_local) {
   return plan;
 }
 
-void place_rows(const simd::Plan& plan, const simd::Rows& rows, std::size_t num_tips,
-                const PoseSpans& out) {
+void place_rows(const simd::Plan& plan, simd::Frame frame, const simd::Rows& rows,
+                std::size_t num_tips, const PoseSpans& out) {
   [[maybe_unused]] const std::size_t num_poses = rows.num_frames * plan.joints.size();
   [[maybe_unused]] const auto fits = [](std::span<double> span, std::size_t size) {
     return span.empty() || span.size() == size;
@@ -113,7 +112,7 @@ void place_rows(const simd::Plan& plan, const simd::Rows& rows, std::size_t num_
   assert(out.positions.size() == num_poses * 3 && fits(out.rotations, num_poses * 4));
   assert(fits(out.directions, num_poses * 3) && fits(out.tips, rows.num_frames * num_tips * 3));
   const auto wanted = [](std::span<double> span) { return span.empty() ? nullptr : span.data(); };
-  simd::place_frames(plan, rows,
+  simd::place_frames(plan, frame, rows,
                      {wanted(out.positions), wanted(out.rotations), wanted(out.directions),
                       wanted(out.tips), num_tips});
 }
@@ -122,27 +121,25 @@ void place_rows(const simd::Plan& plan, const simd::Rows& rows, std::size_t num_
 
 Kinematics::Kinematics(const Skeleton& skeleton) {
   auto plan = std::make_shared<Plan>();
-  plan->world = make_plan(skeleton, false);
-  plan->local = plan->world;
-  plan->local.is_local = true;
+  plan->joints = make_plan(skeleton);
   plan->num_coordinates = skeleton.coordinates.size();
   plan->num_tips = kinefile::num_tips(skeleton);
   plan->radians_per_unit = radians_per(skeleton.angle_unit);
   plan_ = std::move(plan);
 }
 
-std::size_t Kinematics::num_joints() const { return plan_->world.joints.size(); }
+std::size_t Kinematics::num_joints() const { return plan_->joints.joints.size(); }
 std::size_t Kinematics::num_tips() const { return plan_->num_tips; }
 std::size_t Kinematics::num_coordinates() const { return plan_->num_coordinates; }
 
 void Kinematics::place(const ValueRows& rows, const PoseSpans& out) const {
-  place_rows(plan_->world, {rows.values.data(), rows.num_frames, rows.stride}, plan_->num_tips,
-             out);
+  place_rows(plan_->joints, simd::Frame::World, {rows.values.data(), rows.num_frames, rows.stride},
+             plan_->num_tips, out);
 }
 
 void Kinematics::place_locally(const ValueRows& rows, const PoseSpans& out) const {
-  place_rows(plan_->local, {rows.values.data(), rows.num_frames, rows.stride}, plan_->num_tips,
-             out);
+  place_rows(plan_->joints, simd::Frame::Parent, {rows.values.data(), rows.num_frames, rows.stride},
+             plan_->num_tips, out);
 }
 
 }  // namespace kinefile

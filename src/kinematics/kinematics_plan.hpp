@@ -9,8 +9,7 @@
 namespace kinefile {
 
 struct Kinematics::Plan {
-  simd::Plan world;
-  simd::Plan local;
+  simd::Plan joints;
   std::size_t num_coordinates = 0;
   std::size_t num_tips = 0;
   double radians_per_unit = 1;  ///< of an angle unit

@@ -256,7 +256,7 @@ void apply_tail(const PlannedJoint& joint, VectorLanes& point, const Block& bloc
 }
 
 /// Places joint `j`; its parent has been placed.
-void place_joint(const Plan& plan, std::size_t j, const Block& block,
+void place_joint(const Plan& plan, Frame frame, std::size_t j, const Block& block,
                  std::vector<Pose>& pose_of_slot) {
   constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const PlannedJoint& joint = plan.joints[j];
@@ -265,7 +265,7 @@ void place_joint(const Plan& plan, std::size_t j, const Block& block,
   VectorLanes origin;
   local_position(joint, block, origin);
   if (!is_root) apply_tail(plan.joints[joint.parent], origin, block);
-  if (is_root || plan.is_local) {
+  if (is_root || frame == Frame::Parent) {
     fill(pose.rotation, kIdentity);
     pose.position = origin;
   } else {
@@ -361,14 +361,14 @@ void store_tips(const PlannedJoint& joint, std::size_t first, const Block& block
   }
 }
 
-void place_all(const Plan& plan, const Rows& rows, const PoseOutput& out) {
+void place_all(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out) {
   std::vector<Pose> pose_of_slot(plan.num_slots);
   for (std::size_t first = 0; first < rows.num_frames; first += kBlock) {
     const Block block{rows, first, std::min(kBlock, rows.num_frames - first)};
     std::size_t num_tips = 0;
     for (std::size_t j = 0; j < plan.joints.size(); ++j) {
       const PlannedJoint& joint = plan.joints[j];
-      place_joint(plan, j, block, pose_of_slot);
+      place_joint(plan, frame, j, block, pose_of_slot);
       store_joint(plan, j, block, pose_of_slot[joint.slot], out);
       if (out.tips != nullptr) {
         store_tips(joint, num_tips, block, pose_of_slot[joint.slot], out);
@@ -403,8 +403,8 @@ HWY_EXPORT(place_all);
 HWY_EXPORT(sincos_all);
 }  // namespace
 
-void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out) {
-  HWY_DYNAMIC_DISPATCH(place_all)(plan, rows, out);
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out) {
+  HWY_DYNAMIC_DISPATCH(place_all)(plan, frame, rows, out);
 }
 
 void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,

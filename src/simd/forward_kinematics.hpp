@@ -78,7 +78,6 @@ struct Plan {
   std::vector<PlannedJoint> joints;
   std::size_t num_slots = 0;
   bool is_in_degrees = true;
-  bool is_local = false;  ///< parent_from_joint instead of world_from_joint
 };
 
 /// Rows of values, [frame][coordinate], consecutive rows start `stride` numbers apart.
@@ -87,6 +86,9 @@ struct Rows {
   std::size_t num_frames;
   std::size_t stride;
 };
+
+/// What poses are relative to: world_from_joint or parent_from_joint.
+enum class Frame { World, Parent };
 
 /// The destination of poses, laid out as in `PoseArrays`; null if not requested.
 struct PoseOutput {
@@ -98,7 +100,7 @@ struct PoseOutput {
 };
 
 /// Computes the poses of all joints for all rows. Every instruction set gives the same bits.
-void place_frames(const Plan& plan, const Rows& rows, const PoseOutput& out);
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out);
 
 /// Sines and cosines as the kernel computes them, for `count` angles.
 void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,

@@ -41,21 +41,20 @@ CASES = {
     "wrl joints": (inputs.wrl, "a.wrl"),
     "robovie blocks": (inputs.robovie, "a.txt"),
 }
-READING = [["info"], ["check"]]
 FLAT = "bvh joints"
 LONG = "bvh frames"
 PARTS = "seq components"
 ROBOT = "seq joints"
 # What else is done with them: the input's name takes the place of @.
 COMMANDS = {
-    FLAT: [["fk", "@"], ["convert", "@", "o.csv"], ["convert", "@", "o.amc"], ["convert", "@", "o.json"],
+    FLAT: [["info", "@"], ["fk", "@"], ["convert", "@", "o.csv"], ["convert", "@", "o.amc"], ["convert", "@", "o.json"],
            ["convert", "@", "o.bvh"], ["diff", "@", "@"], ["edit", "@", "mirror", "-o", "o.bvh"],
            ["edit", "@", "scale=2", "-o", "o.bvh"], ["edit", "@", "up=z", "-o", "o.bvh"],
            ["edit", "@", "rename=j0:k0", "-o", "o.bvh"], ["edit", "@", "joints=Hips,j0", "-o", "o.bvh"],
            ["edit", "@", "append=@", "-o", "o.bvh"], ["edit", "@", "in-place", "-o", "o.bvh"],
            ["resample", "@", "--fps", "60", "-o", "o.bvh"], ["info", "@", "--tree"],
            ["view", "@", "-o", "o.html"]],
-    LONG: [["fk", "@"], ["convert", "@", "o.csv"], ["convert", "@", "o.amc"], ["diff", "@", "@"],
+    LONG: [["info", "@"], ["fk", "@"], ["convert", "@", "o.csv"], ["convert", "@", "o.amc"], ["diff", "@", "@"],
            ["edit", "@", "smooth=6", "unwrap", "loop=2,blend=2", "-o", "o.bvh"],
            ["edit", "@", "reverse", "speed=0.9", "-o", "o.bvh"],
            ["warp", "@", "--key", "1:2", "-o", "o.bvh"], ["resample", "@", "--fps", "60", "-o", "o.bvh"]],
@@ -74,8 +73,7 @@ options = None
 
 def jobs():
     for name, case in CASES.items():
-        for words in READING:
-            yield name, case, [*words, "@"]
+        yield name, case, ["check", "@"]
         for words in COMMANDS.get(name, []):
             yield name, case, words
 

@@ -132,8 +132,8 @@ def wrl(count):
 def robovie(num_blocks):
     words = ",".join(["0x0000"] * 62)
     blocks = "".join(
-        f"_MOTION_INFO : [[B{i}]]-[50]-[{10 + i}]-[6]-[6]-[{i + 2}]-[-1]\n"
-        f"_POSE : [40]-[{words}]-[[]]-[{'0' * 30}]\n\n" for i in range(num_blocks))
-    return ("_MOTION_FORMAT : [ POSEDEF_V1R4 ]\n_ENABLE_AXIS : [62]\n\n"
-            f"_MOTION_INFO : [[]]-[50]-[10]-[6]-[0]-[1]-[-1]\n_STARTMOT :\n\n{blocks}"
-            "_MOTION_INFO : [[END]]-[50]-[316]-[16]-[46]-[-1]-[-1]\n_ENDMOT :\n")
+        f"_MOTION_INFO:[[B{i}]]-[50]-[{10 + i}]-[6]-[6]-[{i + 2}]-[-1]\n"
+        f"_POSE:[40]-[{words}]-[[]]-[{'0' * 30}]\n\n" for i in range(num_blocks))
+    return ("_MOTION_FORMAT:[ POSEDEF_V1R4 ]\n_ENABLE_AXIS:[62]\n\n"
+            f"_MOTION_INFO:[[]]-[50]-[10]-[6]-[0]-[1]-[-1]\n_STARTMOT:\n\n{blocks}"
+            "_MOTION_INFO:[[END]]-[50]-[316]-[16]-[46]-[-1]-[-1]\n_ENDMOT:\n")

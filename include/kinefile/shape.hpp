@@ -102,11 +102,13 @@ struct ChannelOptions {
                                 ///< do the same
   bool replaces_offsets = false;  ///< positions replace offsets, regardless of the motion's own
                                   ///< channels
-  bool distinct_axes = false;     ///< joints with two rotations about one axis get `usual_order`
+  bool distinct_axes = false;     ///< joints with two rotations about one axis get `usual_order`,
+                                  ///< those with two translations along one get x, y and z
   bool lenient = false;           ///< drop positions that change, with a warning
 };
 
-/// Whether a joint has two rotations about one axis, as in the order ZXZ.
+/// Whether a joint has two rotations about one axis, as in the order ZXZ, or two translations along
+/// one.
 bool repeats_an_axis(const Joint& joint);
 
 /// The same motion with other channels: positions and rotations in the world stay the same.

@@ -69,7 +69,7 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
     if (!aligned) return aligned;
     motion = std::move(*aligned);
   }
-  // A bone does not turn twice about the same axis.
+  // A bone does not turn twice about the same axis, or move twice along one.
   const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
                                              motion.skeleton.joints.end(), shape::repeats_an_axis);
   if (has_repeated_axes || asks_for_channels(channels)) {

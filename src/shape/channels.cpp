@@ -182,6 +182,17 @@ bool repeats_a_direction(const Joint& joint) {
   return false;
 }
 
+/// Whether a joint has two rotations about one axis, as in the order ZXZ.
+bool repeats_a_rotation(const Joint& joint) {
+  const auto rotations = rotations_of(joint);
+  for (std::size_t a = 0; a < rotations.size(); ++a) {
+    for (std::size_t b = a + 1; b < rotations.size(); ++b) {
+      if (rotations[a].axis.cross(rotations[b].axis).norm() < 1e-9) return true;
+    }
+  }
+  return false;
+}
+
 /// Gives a joint positions along x, y and z instead of those along other axes, or from shared
 /// columns.
 void replace_positions(const Context& context, const Joint& joint, JointChange& change) {
@@ -314,15 +325,16 @@ Result<JointChange> plan_change(const Context& context, std::size_t joint_index)
   const PositionChannels positions = positions_for(joint, context.positions);
   const bool is_as_is = positions == PositionChannels::AsIs;
   const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
-  const bool is_refused = context.options.distinct_axes && repeats_an_axis(joint);
+  const bool is_refused = context.options.distinct_axes && repeats_a_rotation(joint);
   const RotationOrder& usual = context.options.usual_order;
   const auto own = is_refused ? std::nullopt : own_order(joint, usual);
   const RotationOrder order = context.options.order.value_or(own.value_or(usual));
   const auto rotations = rotations_of(joint);
   const bool has_plain_rotations = are_plain(context, joint_index, DofKind::Rotation);
-  const bool has_plain_positions = are_plain(context, joint_index, DofKind::Translation) &&
-                                   !(context.options.replaces_offsets && adds_to_offset(joint)) &&
-                                   (is_as_is || !repeats_a_direction(joint));
+  const bool has_plain_positions =
+      are_plain(context, joint_index, DofKind::Translation) &&
+      !(context.options.replaces_offsets && adds_to_offset(joint)) &&
+      ((is_as_is && !context.options.distinct_axes) || !repeats_a_direction(joint));
   const bool keeps_rotations =
       has_plain_rotations && !is_refused &&
       (rotations.size() <= 1 || !context.options.order || is_in_order(rotations, order));
@@ -411,13 +423,7 @@ void fill_columns(const Motion& source, std::vector<ColumnFiller>& fillers, cons
 }  // namespace
 
 bool repeats_an_axis(const Joint& joint) {
-  const auto rotations = rotations_of(joint);
-  for (std::size_t a = 0; a < rotations.size(); ++a) {
-    for (std::size_t b = a + 1; b < rotations.size(); ++b) {
-      if (rotations[a].axis.cross(rotations[b].axis).norm() < 1e-9) return true;
-    }
-  }
-  return false;
+  return repeats_a_rotation(joint) || repeats_a_direction(joint);
 }
 
 std::optional<RotationOrder> parse_rotation_order(std::string_view text) {

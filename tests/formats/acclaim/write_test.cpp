@@ -61,6 +61,19 @@ TEST(AcclaimWrite, KeepsWhatTheFileSaid) {
   EXPECT_EQ(write_to_string(again, "amc"), amc);
 }
 
+TEST(AcclaimWrite, ChannelsThatBvhRepeatsBecomeOne) {
+  const std::string bvh =
+      "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Xposition Zrotation "
+      "Xrotation Zrotation\nJOINT b\n{\nOFFSET 0 1 0\nCHANNELS 3 Yrotation Zrotation Zrotation\n"
+      "End Site\n{\nOFFSET 0 1 0\n}\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.05\n"
+      "1 2 3 10 20 30 4 5 6\n1 1 1 15 25 35 14 15 16\n";
+  Diagnostics diagnostics;
+  const auto document = find_format("bvh")->read(bvh, {}, diagnostics);
+  ASSERT_TRUE(document) << text_of(diagnostics);
+  const Document bones = adapted(*document, "amc", diagnostics);
+  EXPECT_LT(largest_distance(*document, written_and_read(bones), {"a"}), 1e-12);
+}
+
 TEST(AcclaimWrite, EmptyLinesOfAKeptSectionStay) {
   const std::string skeleton = asf_with("axis 0 0 0 XYZ\ndof rx rz\n") + ":colour\n  red\n\n\n";
   const Document document = read_document(kTwoFrames, skeleton);

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <cstring>
 #include <random>
 
 #include "kinefile/io.hpp"
@@ -185,8 +184,7 @@ std::vector<double> numbers_of(const Document& document) {
 }
 
 bool is_same(double a, double b) {
-  return (std::isnan(a) && std::isnan(b)) ||
-         std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  return (std::isnan(a) && std::isnan(b)) || std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 void expect_same_numbers(const Document& written, const Document& read) {

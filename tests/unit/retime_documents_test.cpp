@@ -111,7 +111,9 @@ TEST(RetimeDocuments, EveryComponentIsResampledFromItsOwnRate) {
   EXPECT_EQ(resampled.components[1].num_frames, 9u);
   // The one that ends 0.2 s earlier, two of its frames, holds its last values, with a warning.
   EXPECT_EQ(resampled.components[0].num_frames, 9u);
-  EXPECT_TRUE(std::ranges::equal(resampled.components[0].row(8), resampled.components[0].row(4)));
+  const auto last = resampled.components[0].row(8);
+  const auto held = resampled.components[0].row(4);
+  EXPECT_TRUE(std::equal(last.begin(), last.end(), held.begin(), held.end()));
   EXPECT_EQ(diagnostics.count(Severity::Warning), 1u);
   Document walk = walk_of(61);
   ASSERT_TRUE(retime::resample(walk, 30, {}, diagnostics));

@@ -18,9 +18,9 @@
 #include <thread>
 #include <utility>
 
-extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
-
 #include "signals.hpp"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): not every system declares it
 
 namespace kinefile::cli {
 namespace {

@@ -44,7 +44,7 @@ bool is_unprintable(char32_t c) {
 Character first_character(std::string_view text) {
   const CodePoint first = first_code_point(text);
   if (first.length == 0) return {};
-  return {first.length, !is_unprintable(first.value)};
+  return {first.value, first.length, !is_unprintable(first.value)};
 }
 
 std::string printable(std::string_view text) {

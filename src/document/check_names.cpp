@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable.hpp"
 #include "base/words.hpp"
 #include "kinefile/body_motion.hpp"
 
@@ -27,31 +28,20 @@ std::vector<std::string> names_of(const Document& document) {
   return names;
 }
 
-/// The character of one to three bytes of UTF-8 that starts here; 0 for others.
-std::uint32_t short_character(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return first;
-  if (first >= 0xC2 && first < 0xE0) return (first & 0x1Fu) << 6 | (byte(1) & 0x3Fu);
-  if (first < 0xE0 || first >= 0xF0) return ' ';
-  return (first & 0x0Fu) << 12 | (byte(1) & 0x3Fu) << 6 | (byte(2) & 0x3Fu);
-}
-
 /// Whether a character is a control character or one that takes no room and has no meaning in a
 /// name: marks of direction and of bytes' order, soft hyphens, spaces of no width. Joiners, which
 /// some scripts need, are not.
-bool is_unseen(std::uint32_t c) {
+bool is_unseen(char32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0xAD || c == 0x200B || c == 0x200E ||
          c == 0x200F || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x2069) || c == 0xFEFF;
 }
 
 std::optional<std::uint32_t> unseen_character(std::string_view name) {
-  for (std::size_t at = 0; at < name.size(); ++at) {
-    const bool is_inside = (static_cast<unsigned char>(name[at]) & 0xC0u) == 0x80;
-    const std::uint32_t character = is_inside ? ' ' : short_character(name, at);
-    if (is_unseen(character)) return character;
+  while (!name.empty()) {
+    const Character first = first_character(name);
+    const bool is_byte = first.value == 0 && name[0] != '\0';  // no UTF-8
+    if (!is_byte && is_unseen(first.value)) return first.value;
+    name.remove_prefix(first.length);
   }
   return std::nullopt;
 }

@@ -1,30 +1,24 @@
 # SPDX-License-Identifier: MIT
 """Inputs of any size: for each parser, what a file can have many of."""
 
-ROW = "%d 90.5 %d 1 %d 3"
-
-
-def bvh_skeleton(num_joints, is_chain=False):
+def bvh_skeleton(num_joints):
     channels = "CHANNELS 3 Zrotation Xrotation Yrotation\n"
     lines = ["HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n"
              "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"]
     for i in range(num_joints):
-        lines.append(f"JOINT j{i}\n{{\nOFFSET {1 + i % 3} 0 0\n{channels}")
-        if not is_chain:
-            lines.append("End Site\n{\nOFFSET 0 1 0\n}\n}\n")
-    if is_chain:
-        lines.append("End Site\n{\nOFFSET 0 1 0\n}\n" + "}\n" * num_joints)
+        lines.append(f"JOINT j{i}\n{{\nOFFSET {1 + i % 3} 0 0\n{channels}"
+                     "End Site\n{\nOFFSET 0 1 0\n}\n}\n")
     return "".join(lines) + "}\n"
 
 
-def bvh(num_joints=3, num_frames=3, is_chain=False):
+def bvh(num_joints=3, num_frames=3):
     rows = []
     for frame in range(num_frames):
         row = [frame % 7, 90.5, frame % 11, 1, frame % 13, 3]
         row += [(frame + k) % 90 for k in range(3 * num_joints)]
         rows.append(" ".join(map(str, row)) + "\n")
     motion = f"MOTION\nFrames: {num_frames}\nFrame Time: 0.01\n" + "".join(rows)
-    return bvh_skeleton(num_joints, is_chain) + motion
+    return bvh_skeleton(num_joints) + motion
 
 
 def asf(num_bones=3):

@@ -37,8 +37,10 @@ test:
 
 bench:
 	@tools/setup.sh bench
-	@tools/build.sh bench kinefile_bench
+	@tools/build.sh bench kinefile_bench kinefile make_walk
+	@tools/build.sh plain kinefile
 	@build/release/kinefile_bench
+	@python3 bench/hardening.py build/release build/plain
 
 install:
 	@tools/setup.sh demo

@@ -17,6 +17,7 @@ namespace {
 struct Check {
   std::vector<std::string> files;
   bool is_json = false;
+  bool is_recursive = false;
   Reading reading;
 };
 
@@ -45,6 +46,19 @@ Diagnostic unknown_format(const std::string& path) {
   note.severity = Severity::Note;
   note.code = "FMT005";
   note.message = "neither the content nor the name shows a format; passed over";
+  note.place.source = path;
+  return note;
+}
+
+/// The note about folders in a folder.
+Diagnostic passed_over(const std::string& path, std::size_t num_folders) {
+  Diagnostic note;
+  note.severity = Severity::Note;
+  note.code = "FMT009";
+  note.message =
+      fmt::format("{} in it passed over; --recursive reads {}",
+                  num_folders == 1 ? "a folder is" : fmt::format("{} folders are", num_folders),
+                  num_folders == 1 ? "it" : "them");
   note.place.source = path;
   return note;
 }
@@ -85,10 +99,22 @@ void report(const InputFile& file, const Diagnostics& diagnostics, const Check& 
 /// \returns the worse of the given exit code and that of the check
 int check_path(const std::string& path, const Check& check, const Globals& globals, Json& all,
                int exit_code) {
-  const std::vector<InputFile> files = with_files_of_folders({path});
+  const auto found = files_at(path, check.is_recursive);
+  if (!found) {
+    Diagnostics diagnostics;
+    diagnostics.add(found.error());
+    report({path, false}, diagnostics, check, globals, all);
+    return worse(exit_code, exit_code_of(found.error()));
+  }
+  const std::vector<InputFile>& files = found->files;
   for (const InputFile& file : files) {
     const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
     report(file, diagnostics, check, globals, all);
+  }
+  if (found->num_folders > 0) {
+    Diagnostics diagnostics;
+    diagnostics.add(passed_over(path, found->num_folders));
+    report({path, false}, diagnostics, check, globals, all);
   }
   const bool is_any_known =
       std::any_of(files.begin(), files.end(), [](const InputFile& file) { return file.is_known; });
@@ -128,6 +154,7 @@ void add_check(CLI::App& app, Globals& globals) {
       ->add_option("FILE", check->files, "Files to read, or folders of such; - is standard input")
       ->required();
   command->add_flag("--json", check->is_json, "Print an array with an object a fault");
+  command->add_flag("--recursive", check->is_recursive, "Read the folders in folders, too");
   add_reading_options(*command, check->reading);
   check->reading.options.keeps_times_without_rate = true;
   command->callback(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "folders.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -29,35 +31,41 @@ bool has_known_format(const std::string& path) {
   return format != nullptr && format->read != nullptr;
 }
 
-std::vector<InputFile> files_of(const fs::path& folder) {
-  std::vector<InputFile> files;
+/// Adds the files of a folder, and of the folders in it.
+std::error_code add_files(const fs::path& folder, bool is_recursive, FolderFiles& found) {
   std::error_code fault;
   for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
        entry.increment(fault)) {
     std::error_code ignored;
-    if (!entry->is_regular_file(ignored)) continue;
-    const std::string path = entry->path().string();
-    files.push_back({path, has_known_format(path)});
+    if (entry->is_regular_file(ignored)) {
+      const std::string path = entry->path().string();
+      found.files.push_back({path, has_known_format(path)});
+    } else if (entry->is_directory(ignored) && !is_recursive) {
+      ++found.num_folders;
+    } else if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) {
+      fault = add_files(entry->path(), is_recursive, found);
+      if (fault) break;
+    }
   }
-  std::sort(files.begin(), files.end(),
-            [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
-  return files;
+  return fault;
 }
 
 }  // namespace
 
-std::vector<InputFile> with_files_of_folders(const std::vector<std::string>& paths) {
-  std::vector<InputFile> files;
-  for (const std::string& path : paths) {
-    std::error_code ignored;
-    if (path == "-" || !fs::is_directory(path, ignored)) {
-      files.push_back({path});
-      continue;
-    }
-    const std::vector<InputFile> inside = files_of(path);
-    files.insert(files.end(), inside.begin(), inside.end());
+Result<FolderFiles> files_at(const std::string& path, bool is_recursive) {
+  FolderFiles found;
+  std::error_code ignored;
+  if (path == "-" || !fs::is_directory(path, ignored)) {
+    found.files.push_back({path});
+    return found;
   }
-  return files;
+  if (const std::error_code fault = add_files(path, is_recursive, found)) {
+    return fail(make_error(ErrorKind::Io, "IO001",
+                           fmt::format("cannot list the folder: {}", fault.message()), {path}));
+  }
+  std::sort(found.files.begin(), found.files.end(),
+            [](const InputFile& a, const InputFile& b) { return a.path < b.path; });
+  return found;
 }
 
 }  // namespace kinefile::cli

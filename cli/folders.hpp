@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
+
+#include "kinefile/result.hpp"
 
 namespace kinefile::cli {
 
@@ -12,7 +15,15 @@ struct InputFile {
   bool is_known = true;  ///< false: the format is unknown (only for files in folders)
 };
 
-/// Replaces folders by their files, in the order of names. Nested folders are not searched.
-std::vector<InputFile> with_files_of_folders(const std::vector<std::string>& paths);
+/// The files of a folder.
+struct FolderFiles {
+  std::vector<InputFile> files;  ///< in the order of their paths
+  std::size_t num_folders = 0;   ///< that are in it and were passed over
+};
+
+/// The file of a path, or the files of a folder; with `is_recursive` also those of the folders in
+/// it, at any depth. Links to folders are not followed.
+/// \errors IO001 if a folder cannot be listed
+Result<FolderFiles> files_at(const std::string& path, bool is_recursive);
 
 }  // namespace kinefile::cli

@@ -14,13 +14,14 @@ demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-de
   libfast-float-dev libexpected-dev libhwy-dev nlohmann-json3-dev
   zlib1g-dev'
 web="$demo emscripten"
-bench="$demo libbenchmark-dev libyaml-dev"
+bench="$demo libbenchmark-dev libyaml-dev python3"
 test="$bench chromium fonts-vlgothic valgrind googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
-  emscripten python3"
+  emscripten"
 
 demo_tools='cmake ninja c++'
 demo_libraries='Eigen 3.4, fmt, CLI11, fast_float, tl-expected, Highway, nlohmann-json, zlib'
 bench_libraries="$demo_libraries, Google Benchmark, libyaml"
+bench_tools="$demo_tools python3"
 web_tools="$demo_tools emcc node npm"
 test_tools="$web_tools chromium g++ pkg-config clang++-14 clang-format-14 python3"
 test_libraries="$bench_libraries, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"
@@ -29,7 +30,7 @@ case "${1:-}" in
   demo) wanted=$demo tools=$demo_tools libraries=$demo_libraries ;;
   test) wanted=$test tools=$test_tools libraries=$test_libraries ;;
   web) wanted=$web tools=$web_tools libraries=$demo_libraries ;;
-  bench) wanted=$bench tools=$demo_tools libraries=$bench_libraries ;;
+  bench) wanted=$bench tools=$bench_tools libraries=$bench_libraries ;;
   *) echo "usage: tools/setup.sh demo|web|test|bench" >&2; exit 2 ;;
 esac
 

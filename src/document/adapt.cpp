@@ -41,47 +41,6 @@ Motion in_degrees(Motion motion) {
   return motion;
 }
 
-Result<Motion> for_bvh(const Motion& motion, shape::ChannelOptions channels,
-                       Diagnostics& diagnostics) {
-  // Angles rotate with their joints' frames; quaternions cannot.
-  const Motion plain =
-      shape::with_angles(shape::with_plain_values(robot::without_free_joints(motion)), kUsualOrder);
-  auto aligned = shape::with_world_aligned_rest(plain);
-  if (!aligned) return aligned;
-  auto inherited = shape::without_tail_translations(*aligned, channels.lenient, diagnostics);
-  if (!inherited) return inherited;
-  channels.usual_order = kUsualOrder;
-  channels.replaces_offsets = true;  // as BVH files are read
-  auto made = shape::with_channels(shape::without_inner_tips(*inherited), channels, diagnostics);
-  if (!made) return made;
-  *made = shape::without_unread_columns(*made);
-  return in_degrees(std::move(*made));
-}
-
-Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
-  motion = shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
-  const auto& joints = motion.skeleton.joints;
-  const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
-    return joint.parent != kNoParent && turns_at_rest(joint);
-  });
-  if (is_turned) {
-    auto aligned = shape::with_world_aligned_rest(motion);
-    if (!aligned) return aligned;
-    motion = std::move(*aligned);
-  }
-  // A bone does not turn twice about the same axis, or move twice along one.
-  const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
-                                             motion.skeleton.joints.end(), shape::repeats_an_axis);
-  if (has_repeated_axes || asks_for_channels(channels)) {
-    channels.usual_order = kUsualOrder;
-    channels.distinct_axes = true;
-    auto changed = shape::with_channels(motion, channels, diagnostics);
-    if (!changed) return changed;
-    motion = std::move(*changed);
-  }
-  return shape::with_bones(motion, channels.lenient, diagnostics);
-}
-
 /// The same skeleton with an end on every joint without children, which many BVH readers require.
 Motion with_ends(Motion motion) {
   const auto children = children_of_joints(motion.skeleton);
@@ -90,6 +49,55 @@ Motion with_ends(Motion motion) {
     if (children[j].empty() && joint.tips.empty()) joint.tips.push_back({{}, Vec3::Zero()});
   }
   return motion;
+}
+
+/// Puts a changed motion in the place of the motion, so that no more of them are kept than needed.
+Result<void> put(Result<Motion> changed, Motion& motion) {
+  if (!changed) return fail(std::move(changed.error()));
+  motion = std::move(*changed);
+  return {};
+}
+
+/// Angles rotate with their joints' frames; quaternions cannot.
+Motion with_usual_angles(const Motion& motion) {
+  return shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
+}
+
+Result<Motion> for_bvh(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
+  motion = robot::without_free_joints(with_ends(std::move(motion)));
+  motion = with_usual_angles(motion);
+  auto done = put(shape::with_world_aligned_rest(motion), motion);
+  if (!done) return fail(std::move(done.error()));
+  done = put(shape::without_tail_translations(motion, channels.lenient, diagnostics), motion);
+  if (!done) return fail(std::move(done.error()));
+  motion = shape::without_inner_tips(motion);
+  channels.usual_order = kUsualOrder;
+  channels.replaces_offsets = true;  // as BVH files are read
+  done = put(shape::with_channels(motion, channels, diagnostics), motion);
+  if (!done) return fail(std::move(done.error()));
+  return in_degrees(shape::without_unread_columns(motion));
+}
+
+Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
+  motion = with_usual_angles(motion);
+  const auto& joints = motion.skeleton.joints;
+  const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
+    return joint.parent != kNoParent && turns_at_rest(joint);
+  });
+  if (is_turned) {
+    auto aligned = put(shape::with_world_aligned_rest(motion), motion);
+    if (!aligned) return fail(std::move(aligned.error()));
+  }
+  // A bone does not turn twice about the same axis, or move twice along one.
+  const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
+                                             motion.skeleton.joints.end(), shape::repeats_an_axis);
+  if (has_repeated_axes || asks_for_channels(channels)) {
+    channels.usual_order = kUsualOrder;
+    channels.distinct_axes = true;
+    auto changed = put(shape::with_channels(motion, channels, diagnostics), motion);
+    if (!changed) return fail(std::move(changed.error()));
+  }
+  return shape::with_bones(motion, channels.lenient, diagnostics);
 }
 
 /// The channels that a document gets: those that are asked for, otherwise what the readers of its
@@ -131,9 +139,9 @@ Result<Document> adapted_to(const Format& format, Document document,
   if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
   document = without_helper_bones(format, std::move(document), diagnostics);
   const shape::ChannelOptions wanted = expected_channels(format, document, channels);
-  auto adapted = change_motion(document, [&](const Motion& motion) {
-    if (is_for_bones) return for_bones(motion, wanted, diagnostics);
-    if (is_for_bvh) return for_bvh(with_ends(motion), wanted, diagnostics);
+  auto adapted = change_motion(document, [&](Motion motion) {
+    if (is_for_bones) return for_bones(std::move(motion), wanted, diagnostics);
+    if (is_for_bvh) return for_bvh(std::move(motion), wanted, diagnostics);
     return shape::with_channels(motion, wanted, diagnostics);
   });
   if (!adapted) return fail(std::move(adapted.error()));

@@ -10,9 +10,12 @@
 namespace kinefile {
 namespace {
 
-constexpr double kSudden = 90;            // degrees from one frame to the next
+constexpr double kSuddenFlip = 90;        // degrees from one frame to the next
+constexpr double kSuddenSpike = 30;       // the same, of a turn that is undone
 constexpr double kSuddenSpeed = 2700;     // degrees per second: 90 degrees at 30 frames a second
 constexpr std::size_t kLongestSpike = 5;  // frames
+/// The same, of a spike below kSuddenFlip: a punch is back after four frames at 120 a second.
+constexpr std::size_t kLongestSmallSpike = 2;
 
 /// The angle between a joint's rotations in two frames, in degrees; nothing if one is missing.
 std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, std::size_t a,
@@ -25,12 +28,12 @@ std::optional<double> turn_between(const LocalPoses& poses, std::size_t joint, s
   return std::isfinite(angle) ? std::optional(angle) : std::nullopt;
 }
 
-/// How far a joint must turn from a frame to the next to turn suddenly, in degrees.
-double least_turn(const Timeline& timeline, std::size_t frame) {
+/// How far a joint turns from a frame to the next at the sudden speed, in degrees.
+double turn_at_sudden_speed(const Timeline& timeline, std::size_t frame) {
   const double seconds = has_own_times(timeline)
                              ? time_of_frame(timeline, frame + 1) - time_of_frame(timeline, frame)
                              : frame_time(timeline);
-  return std::max(kSudden, kSuddenSpeed * seconds);
+  return kSuddenSpeed * seconds;
 }
 
 /// The frame of `poses` in which a joint has turned back after a turn between `before` and the next
@@ -52,9 +55,13 @@ void find_turns(const LocalPoses& poses, const Timeline& timeline, std::size_t j
   for (std::size_t f = 0; f < end && f + 1 < poses.num_frames; ++f) {
     if (poses.first_frame + f < next) continue;
     const auto degrees = turn_between(poses, joint, f, f + 1);
-    if (!degrees || !(*degrees > least_turn(timeline, poses.first_frame + f))) continue;
+    if (!degrees || !(*degrees > kSuddenSpike)) continue;
+    if (!(*degrees > turn_at_sudden_speed(timeline, poses.first_frame + f))) continue;
+    const auto back = return_after(poses, joint, f, *degrees);
+    const bool is_small = !(*degrees > kSuddenFlip);
+    if (is_small && (!back || *back > f + 1 + kLongestSmallSpike)) continue;
     SuddenTurn turn{joint, poses.first_frame + f + 1, 0, *degrees};
-    if (const auto back = return_after(poses, joint, f, *degrees)) {
+    if (back) {
       turn.return_frame = poses.first_frame + *back;
       next = turn.return_frame;
     }

@@ -82,6 +82,8 @@ Motion motion_of_component(const Component& component) {
   skeleton.angle_unit = AngleUnit::Radians;
   skeleton.metres_per_unit = 1;
   skeleton.up = 2;
+  skeleton.joints.reserve(component.num_parts);
+  skeleton.coordinates.reserve(component.row_size());
   for (std::size_t part = 0; part < component.num_parts; ++part) {
     skeleton.joints.emplace_back().name = name_of_part(component, part);
     if (component.kind == ComponentKind::Poses) {

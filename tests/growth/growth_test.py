@@ -26,6 +26,7 @@ CASES = {
     "amc bones": (inputs.amc, "a.amc", {"a.asf": inputs.asf}),
     "seq joints": (inputs.seq, "a.seq"),
     "seq frames": (lambda n: inputs.seq(3, n), "a.seq"),
+    "seq lists": (inputs.seq_of_lists, "a.seq"),
     "seq components": (inputs.seq_of_components, "a.seq"),
     "csv points": (inputs.csv_of_points, "a.csv"),
     "csv links": (inputs.csv_of_links, "a.csv"),
@@ -40,6 +41,13 @@ CASES = {
     "urdf attributes": (inputs.urdf_of_attributes, "a.urdf"),
     "wrl joints": (inputs.wrl, "a.wrl"),
     "robovie blocks": (inputs.robovie, "a.txt"),
+    "robovie project": (lambda n: inputs.robovie(3), "a.txt",
+                        {"a.rpj": lambda n: inputs.project(), "sld.ini": inputs.project_sliders,
+                         "rom.ini": inputs.project_motors, "pos.ini": inputs.project_poses,
+                         "map.ini": inputs.project_sounds}),
+    "servo map": (lambda n: inputs.seq(), "a.seq", {"servos.yaml": inputs.servo_map}),
+    "joint map": (lambda n: inputs.bvh(), "a.bvh",
+                  {"a.body": lambda n: inputs.body(3), "map.yaml": inputs.joint_map}),
 }
 FLAT = "bvh joints"
 LONG = "bvh frames"
@@ -65,6 +73,9 @@ COMMANDS = {
     "csv joints": [["convert", "@", "o.seq"]],
     "csv links": [["convert", "@", "o.json"], ["convert", "@", "o.seq"]],
     "body links": [["fk", "@", "--rest"]],
+    "robovie project": [["check", "@", "--project", "a.rpj"]],
+    "servo map": [["keyframe", "@", "--servo-map", "servos.yaml", "--tolerance", "1", "-o", "o.txt"]],
+    "joint map": [["convert", "@", "o.seq", "--skeleton", "a.body", "--map", "map.yaml"]],
     "robovie blocks": [["run", "@", "-o", "o.csv"], ["graph", "@"], ["edit", "@", "reverse", "-o", "o.txt"],
                        ["convert", "@", "o.json"]],
 }

@@ -54,6 +54,11 @@ def seq_of_components(count):
     return f"type: CompositeSeq\nformatVersion: 2\ncomponents:\n{parts}"
 
 
+def seq_of_lists(count):
+    """A key that nobody reads holds lists of lists."""
+    return seq() + "extra:\n" + "  - [ [ 0, [ 1 ] ], [ ], { a: [ 2 ] } ]\n" * count
+
+
 def csv_of_points(count):
     names = ",".join(f"l{i}.x,l{i}.y,l{i}.z" for i in range(count))
     rows = "".join(f"{0.01 * frame:.2f}" + ",1,2,3" * count + "\n" for frame in range(3))
@@ -131,3 +136,37 @@ def robovie(num_blocks):
     return ("_MOTION_FORMAT:[ POSEDEF_V1R4 ]\n_ENABLE_AXIS:[62]\n\n"
             f"_MOTION_INFO:[[]]-[50]-[10]-[6]-[0]-[1]-[-1]\n_STARTMOT:\n\n{blocks}"
             "_MOTION_INFO:[[END]]-[50]-[316]-[16]-[46]-[-1]-[-1]\n_ENDMOT:\n")
+
+
+def servo_map(count):
+    """Of the joints of `seq`; sliders beyond the flow's 62 are refused one by one."""
+    servos = "".join(f"  - {{slider: {i}, joint: j{i}, sign: 1, units_per_degree: 100}}\n" for i in range(count))
+    return f"sliders: 62\ntick: 16667\nservos:\n{servos}"
+
+
+def joint_map(count):
+    return "".join(f"L{i}: j{i}\n" for i in range(count))
+
+
+def project():
+    return "MODELNAME:[[a]]\nROMINI:[[rom.ini]]\nMAPINI:[[map.ini]]\nDEFPOSINI:[[pos.ini]]\nSLDINI:[[sld.ini]]\n"
+
+
+def project_sliders(count):
+    return "_CENTER_BAR:[0.5]-[0]\n" + "".join(
+        f"_NUMBER:[{i}]\n_AXISNAME:[[arm{i}]]\n_PAIR:[0]-[0]\n_PUTSTYLE:[2]-[2]-[100.0]\n"
+        "_DIVISION:[-1000]-[1000]-[10]\n_FLAG:[0]-[4]\n\n" for i in range(count))
+
+
+def project_motors(count):
+    return "MASTER_CLOCK:[16667]\n" + "".join(
+        f"MOTORNAME:[[m{i}]]\nMOTOR_VARINDEX:[{i}]-[31]-[132]\nMOTOR_LIMIT:[-500]-[600]\n\n" for i in range(count))
+
+
+def project_poses(count):
+    return "MAINDEFPOS_NUM:[0]\n" + "".join(
+        f"DEFPOS:[[p{i}]]\nAXISENABLE:[0]\nDEFPOS_VALUE:[0x0000]\n" for i in range(count))
+
+
+def project_sounds(count):
+    return "".join(f"VOICE:[{i}]-[[drum{i}.wav]]\n" for i in range(count))

@@ -83,9 +83,24 @@ TEST(FindSuddenTurns, BelowThirtyFramesTheSpeedCounts) {
   EXPECT_EQ(turns[0].frame, 21u);
 }
 
+TEST(FindSuddenTurns, ASpikeIsSmallerAtHigherRates) {
+  const auto turns = [](double rate, std::initializer_list<std::size_t> frames, double degrees) {
+    Motion walk = walk_with_head(40, frames, degrees);
+    walk.clip.timeline.given = FrameRate{rate};
+    return find_sudden_turns(walk).size();
+  };
+  EXPECT_EQ(turns(120, {20}, 70), 1u);
+  EXPECT_EQ(turns(120, {20}, 35), 1u);
+  EXPECT_EQ(turns(120, {20}, 25), 0u);
+  EXPECT_EQ(turns(60, {20}, 50), 1u);
+  EXPECT_EQ(turns(60, {20}, 40), 0u);
+  EXPECT_EQ(turns(120, {20, 21}, 70), 1u);
+  EXPECT_EQ(turns(120, {20, 21, 22}, 70), 0u) << "as a punch";
+}
+
 TEST(FindSuddenTurns, AWholeTurnIsNone) {
   EXPECT_TRUE(find_sudden_turns(walk_with_head(40, {13, 20, 21}, 360)).empty());
-  EXPECT_TRUE(find_sudden_turns(walk_with_head(40, {13}, 80)).empty());
+  EXPECT_TRUE(find_sudden_turns(walk_with_head(40, {13, 14, 15}, 80)).empty());
 }
 
 TEST(FindSuddenTurns, FindsThoseAtTheBordersOfBlocks) {

@@ -56,9 +56,9 @@ Diagnostic passed_over(const std::string& path, std::size_t num_folders) {
   note.severity = Severity::Note;
   note.code = "FMT009";
   note.message =
-      fmt::format("{} in it passed over; --recursive reads {}",
-                  num_folders == 1 ? "a folder is" : fmt::format("{} folders are", num_folders),
-                  num_folders == 1 ? "it" : "them");
+      num_folders == 1
+          ? "a folder in it is passed over; --recursive reads it"
+          : fmt::format("{} folders in it are passed over; --recursive reads them", num_folders);
   note.place.source = path;
   return note;
 }

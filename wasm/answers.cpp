@@ -106,8 +106,8 @@ Json open_files(Session& session, const Json& question) {
     if (session.files.contains(path)) known.push_back(path);
   }
   constexpr const char* kWhats[] = {"document", "companion", "waiting", "fault", "unknown"};
-  constexpr unsigned kFew = 4;  // figures that a person tells apart at first sight
-  const OpenedFiles all = open_all(session, known, question.value("few", kFew));
+  const std::size_t few = count_of(question, "few", known.size());
+  const OpenedFiles all = open_all(session, known, few > 0 ? std::optional(few) : std::nullopt);
   Json opened = Json::array();
   for (const Opened& one : all.files) {
     opened.push_back({{"path", one.path},
@@ -238,6 +238,7 @@ Json marks(const Slot& slot) {
 
 /// {"handle"}: where feet are on the ground.
 Json contacts(const Slot& slot) {
+  if (!slot.lacks.empty()) return {{"contacts", Json::array()}, {"diagnostics", Json::array()}};
   Diagnostics diagnostics;
   const auto found = retime::ground_contacts(motion_of(slot), diagnostics);
   if (!found) return failure(found.error(), diagnostics);

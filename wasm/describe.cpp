@@ -266,6 +266,7 @@ Json describe(const Slot& slot) {
                {"has_frames", retime::has_frames(slot.current)},
                {"is_robot", is_of_robot(slot)},
                {"has_place", has_place(slot)},
+               {"lacks", slot.lacks},
                {"angle_unit", skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians"},
                {"metres_per_unit", number(skeleton.metres_per_unit)}};
   json["facts"] = Json::array();

@@ -50,6 +50,8 @@ struct Slot {
   std::optional<Document> clock;          ///< the times of `source` that `current` shows, as a body
                                           ///< motion; absent: it has no frames, or not known
   std::vector<PlayedBlock> blocks;        ///< of a flow: its poses in the order of its run
+  std::string lacks;                      ///< of a flow: why `played` has its sliders alone and
+                                          ///< shows no figure; empty: it shows one
   std::set<std::string> opened;           ///< the companions that were read, by path
   Diagnostics noticed;                    ///< of reading and placing it
 };

@@ -131,7 +131,9 @@ export function makeActions(core: Core, store: Store): Actions {
       if (known === undefined) motions = added(motions, handle, document, found(handle));
       else {
         motions = motions.map((motion) =>
-          motion === known ? {...known, document, version: known.version + 1} : motion,
+          motion === known
+            ? {...known, document, steps: [], version: known.version + 1} // done again below
+            : motion,
         );
       }
     }
@@ -194,6 +196,11 @@ export function makeActions(core: Core, store: Store): Actions {
     }
     const motions = merged(answer.documents, answer.opened);
     store.set({motions, files: remaining(answer.opened), active: firstActive(motions)});
+    for (const {handle, steps, done, undone} of before) {
+      const now = store.state.motions.find((motion) => motion.handle === handle);
+      const isReadAgain = now !== undefined && steps.length > 0 && now.steps.length === 0;
+      if (isReadAgain) told(await apply(now, {steps, done, undone}));
+    }
     return answer.opened;
   };
 

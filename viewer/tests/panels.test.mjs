@@ -17,6 +17,7 @@ import {
   phone,
   root,
 } from './browser.mjs';
+import {smallProject} from './motions.mjs';
 
 const folder = join(out, 'panels');
 mkdirSync(folder, {recursive: true});
@@ -684,6 +685,71 @@ test('a flow of servo poses: its own operations, its robot and its servo map', a
   await openTab(tab, 'edit');
   await isShown(tab, '.operation', 'offset=SLIDER:VALUE');
   assert.equal(await tab.locator('.operation:has-text("trim")').count(), 0);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a flow alone has its poses and their values, and says what a figure needs', async () => {
+  const {tab, context, faults} = await opened([join(examples, 'wave.txt')]);
+  await isShown(
+    tab,
+    '.lacks',
+    "wave.txt: to see a figure, a flow of servo poses needs the robot's",
+  );
+  await tab.waitForSelector('.track .block .label');
+  await isShown(tab, '.readouts h2', 'wave.txt');
+  await tab.fill('#frame', '60');
+  await tab.press('#frame', 'Enter');
+  await isShown(tab, '.values tr:has-text("s12")', '28672');
+  assert.equal(await tab.locator('.values table').count(), 1, 'nothing of it has a place');
+  await shot(tab, 'flow_alone');
+  await openTab(tab, 'curves');
+  await isShown(tab, '.legend-key', 's12');
+  await shot(tab, 'flow_curves');
+  await openTab(tab, 'info');
+  await isShown(tab, '.sentences', 'to see a figure');
+  assert.equal(await tab.locator('dt:text-is("Height")').count(), 0);
+  await openTab(tab, 'export');
+  const formats = await tab
+    .locator('#export-format option')
+    .evaluateAll((all) => all.map(({value}) => value));
+  assert.deepEqual(formats, ['robovie', 'csv', 'json']);
+  // What comes is kept: then the other one alone is asked for.
+  for (const [name, text] of Object.entries(smallProject)) writeFileSync(join(folder, name), text);
+  await drop(
+    tab,
+    Object.keys(smallProject).map((name) => join(folder, name)),
+    100,
+    200,
+  );
+  await isShown(tab, '.lacks', "needs the robot's model (.body, .wrl, .urdf)");
+  await tab.waitForFunction(() => !document.querySelector('.lacks').textContent.includes('.rpj'));
+  await openTab(tab, 'info');
+  assert.equal(await tab.inputValue('#companion-project'), 'robot.rpj');
+  await openTab(tab, 'joints');
+  await isShown(tab, '.values tr', 'shoulder [°]');
+  await drop(
+    tab,
+    ['robot.body', 'servos.yaml'].map((name) => join(examples, name)),
+    100,
+    200,
+  );
+  await tab.waitForSelector('.lacks', {state: 'hidden'});
+  await isShown(tab, '.joint', 'LEG_R_HIP_R');
+  assert.equal(await tab.locator('.motion').count(), 1);
+  await shot(tab, 'flow_complete');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a format that a motion cannot be written in is not offered, and says what it needs', async () => {
+  const {tab, context, faults} = await opened([writeBvh('offered.bvh', 5)]);
+  await openTab(tab, 'export');
+  await isShown(tab, '.hindered summary', 'Formats that this cannot be written in: 2');
+  assert.equal(await tab.locator('#export-format option[value="robovie"]').count(), 0);
+  await tab.click('.hindered summary');
+  await isShown(tab, '.hindered li', "'kinefile keyframe' with a servo map");
+  await shot(tab, 'export_offers');
   assert.deepEqual(faults, []);
   await context.close();
 });

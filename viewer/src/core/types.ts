@@ -86,6 +86,8 @@ export interface Description {
   options: Record<string, unknown>;
   /** Whether it is known where the figure is: joint values of a robot alone do not say it. */
   has_place: boolean;
+  /** Of a flow that shows its sliders alone: what a figure needs; empty: nothing, or no flow. */
+  lacks: string;
   /** Whether it can be warped: a flow of servo poses has no frames. */
   has_frames: boolean;
   is_robot: boolean;

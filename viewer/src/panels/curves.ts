@@ -35,10 +35,17 @@ const labelOf = ({key, channel}: Quantity): string => {
   return key;
 };
 
-/** What is plotted before a person has chosen: the value of a joint that has one, or its place. */
+/** So many curves are told apart. */
+const kFewCurves = 6;
+
+/**
+ * What is plotted before a person has chosen: the value of a joint that has one, or its place; the
+ * first values where there is no place.
+ */
 function usualOf(quantities: Quantity[]): Set<string> {
   const own = quantities.filter(({channel}) => channel !== '');
-  return new Set(own.length === 1 ? [own[0].key] : ['x', 'y', 'z']);
+  const isAll = own.length === 1 || own.length === quantities.length;
+  return new Set(isAll ? own.slice(0, kFewCurves).map(({key}) => key) : ['x', 'y', 'z']);
 }
 
 /** Makes the panel. */

@@ -26,12 +26,15 @@ const kComputed: Quantity[] = [
 
 /** What can be plotted of a joint. */
 export const quantitiesOf = (document: Description, joint: number): Quantity[] => [
-  ...kComputed,
-  ...(document.joints[joint]?.channels ?? []).map(({name, measure}) => ({
-    key: `channel:${name}`,
-    measure: measure || ('other' as const),
-    channel: name,
-  })),
+  ...(document.lacks === '' ? kComputed : []),
+  ...(document.joints[joint]?.channels ?? []).map(
+    ({name, measure, lower, upper}): Quantity => ({
+      key: `channel:${name}`,
+      measure: measure || 'other',
+      channel: name,
+      limits: [lower, upper],
+    }),
+  ),
 ];
 
 type Curves = Questions['curves']['answer'];

@@ -110,10 +110,12 @@ Json open_files(Session& session, const Json& question) {
   const OpenedFiles all = open_all(session, known, few > 0 ? std::optional(few) : std::nullopt);
   Json opened = Json::array();
   for (const Opened& one : all.files) {
+    const Format* format = find_format(one.format);
     opened.push_back({{"path", one.path},
                       {"what", kWhats[static_cast<std::size_t>(one.what)]},
                       {"format", one.format},
                       {"handle", one.handle},
+                      {"is_model", format != nullptr && !is_written(*format)},
                       {"diagnostics", json_of(one.diagnostics)},
                       {"leniently", words_of(one.leniently)}});
   }

@@ -194,6 +194,7 @@ export function makeActions(core: Core, store: Store): Actions {
       store.set({message: answer.error.message});
       return null;
     }
+    const before = store.state.motions;
     const motions = merged(answer.documents, answer.opened);
     store.set({motions, files: remaining(answer.opened), active: firstActive(motions)});
     for (const {handle, steps, done, undone} of before) {
@@ -206,12 +207,14 @@ export function makeActions(core: Core, store: Store): Actions {
 
   /** A motion of a list of several goes back to it when it is closed. */
   const listedAgain = ({document}: OpenMotion, motions: OpenMotion[]): OpenedFile[] => {
-    const {path, format, kind} = document;
+    const {path, format, kind, is_robot} = document;
     const {files} = store.state;
     const isLast = motions.every((other) => other.document.path !== path);
     const hasList = files.some(({what}) => what === 'waiting');
-    if (!hasList || !isLast || kind === 'skeleton') return files;
-    return [...files, {path, what: 'waiting', format, handle: 0, diagnostics: [], leniently: null}];
+    const is_model = kind === 'skeleton' && is_robot;
+    if (!hasList || !isLast || (kind === 'skeleton' && !is_model)) return files;
+    const listed = {path, format, handle: 0, is_model, diagnostics: [], leniently: null};
+    return [...files, {...listed, what: 'waiting'}];
   };
 
   const actions: Actions = {
@@ -266,6 +269,7 @@ export function makeActions(core: Core, store: Store): Actions {
           what: 'fault',
           format: '',
           handle: 0,
+          is_model: false,
           diagnostics: diagnostics.length > 0 ? diagnostics : [error],
           leniently: answer.leniently ?? null,
         });

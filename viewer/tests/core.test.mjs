@@ -453,6 +453,20 @@ test('of a few motions all are opened, of many the first; what is no motion is n
   assert.deepEqual([listed.path, listed.what], ['day/4.bvh', 'document']);
 });
 
+test('of several robots the first is opened, and none beside a motion that one carries', async () => {
+  const robot = example('robot.body');
+  const robots = {'a.body': robot, 'b.body': robot, 'c.body': robot};
+  const core = await openCore();
+  const first = {'a.body': 'document', 'b.body': 'waiting', 'c.body': 'waiting'};
+  assert.deepEqual(openFolder(core, robots), first);
+  const {opened, documents} = core.ask('open_all', {paths: ['c.body'], few: 1});
+  assert.deepEqual([opened[0].what, opened[0].is_model, documents.length], ['document', true, 2]);
+  const other = await openCore();
+  const carried = openFolder(other, {...robots, 'bow.seq': example('bow.seq')});
+  assert.deepEqual(carried, {...first, 'a.body': 'companion', 'bow.seq': 'document'});
+  assert.equal(other.ask('open_all', {paths: []}).documents.length, 1);
+});
+
 test('beside many motions the skeletons of others are not opened', async () => {
   const takes = Object.fromEntries(
     Array.from({length: 6}, (_, take) => [`in/${take}.amc`, smallAmc([0, 10])]),

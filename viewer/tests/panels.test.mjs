@@ -581,6 +581,26 @@ test('of a folder full of takes the first opens, the others are one click each',
   await context.close();
 });
 
+test('of several robots the first opens, the others are one click each', async () => {
+  const robots = join(folder, 'robots');
+  mkdirSync(robots, {recursive: true});
+  for (const name of ['first', 'second', 'third']) {
+    writeFileSync(join(robots, `${name}.body`), readFileSync(join(examples, 'robot.body')));
+  }
+  const {tab, context, faults} = await opened([robots]);
+  await isShown(tab, '#files .waiting summary', '3 robots and motions here, 1 open');
+  assert.deepEqual(await tab.locator('.motion .name').allTextContents(), ['first.body']);
+  const listed = await tab.locator('.waiting li').allTextContents();
+  assert.deepEqual(listed, ['second.body', 'third.body']);
+  await shot(tab, 'robots');
+  await tab.click('.waiting button:text-is("third.body")');
+  await isShown(tab, '.motion.active', 'third.body');
+  await tab.click('[aria-label="Close third.body"]');
+  await isShown(tab, '#files .waiting summary', '3 robots and motions here, 1 open');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
 test('of a few takes all open', async () => {
   const {tab, context, faults} = await opened([writeTakes('pair', 2)]);
   await isShown(tab, '.motion', 'take2.bvh');

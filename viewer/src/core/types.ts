@@ -188,6 +188,8 @@ export interface OpenedFile {
   what: 'document' | 'companion' | 'waiting' | 'fault' | 'unknown';
   format: string;
   handle: number;
+  /** Whether it is of a format of robots alone. */
+  is_model: boolean;
   diagnostics: Diagnostic[];
   /** How a file at fault opens leniently; null: it does not. */
   leniently: OpeningWords | null;

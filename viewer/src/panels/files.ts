@@ -55,18 +55,19 @@ export function makeFileList(store: Store, actions: Actions): void {
   // On a phone the list would hide the figure.
   let isUnfolded = !kPhone.matches;
 
-  /** The motions of a folder that are not open, one click each. */
+  /** The motions and robots of a folder that are not open, one click each. */
   const waitingList = (waiting: OpenedFile[]): HTMLElement => {
     const paths = inOrder(waiting.map(({path}) => path));
     const numOpen = new Set(store.state.motions.map(({document}) => document.path)).size;
     const folder = commonFolder(paths);
+    const here = waiting.some((file) => file.is_model) ? 'robots_here' : 'motions_here';
     const row = (path: string) =>
       button(path.slice(folder.length), () => actions.openListed([path]), {title: path});
     const section = el('details', {class: 'waiting', open: isUnfolded}, [
       el('summary', {title: folder}, [t('motions_here', numOpen + paths.length, numOpen)]),
       el(
         'ul',
-        {ariaLabel: t('motions_not_open')},
+        {ariaLabel: t('files')},
         paths.map((path) => el('li', {}, [row(path)])),
       ),
       el('p', {class: 'group'}, [

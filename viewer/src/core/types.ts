@@ -292,6 +292,8 @@ export interface Questions {
     ask: {handle: number; name: string; format?: string; options?: OptionWords};
     answer: {files: WrittenFile[]; diagnostics: Diagnostic[]};
   };
+  /** The formats that are written, and why this document cannot be written in some; else empty. */
+  written_formats: {ask: {handle: number}; answer: {hindrances: Record<string, string>}};
   write_poses: {
     ask: {handle: number; name: string; tips?: boolean};
     answer: {files: WrittenFile[]};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "session.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -254,6 +257,22 @@ DocumentSource source_of_model(const Slot& slot) {
 bool is_of_robot(const Slot& slot) {
   const bool is_on_robot = slot.model != nullptr && robot::is_robot(skeleton_of(*slot.model));
   return is_on_robot || robot::is_robot(motion_of(slot).skeleton);
+}
+
+std::string wanted_of(const OptionInfo& info) {
+  if (!info.wanted.empty()) return std::string(info.wanted);
+  const bool is_count = info.type == OptionType::Count;
+  if (!is_count && info.type != OptionType::Number) return std::string(info.value_name);
+  const std::string kind = is_count ? "a whole number" : "a number";
+  const bool has_most = info.most < std::numeric_limits<double>::max();
+  const std::string most = has_most ? fmt::format("{}", info.most) : "";
+  if (info.least > 0 && info.least <= std::numeric_limits<double>::min()) {
+    return kind + " above 0" + (has_most ? ", at most " + most : "");
+  }
+  const bool has_least = info.least > std::numeric_limits<double>::lowest();
+  if (!has_least) return has_most ? kind + " of at most " + most : kind;
+  return has_most ? fmt::format("{} from {} to {}", kind, info.least, most)
+                  : fmt::format("{} of at least {}", kind, info.least);
 }
 
 std::string text_of(const Json& object, const char* key) {

@@ -98,6 +98,9 @@ inline const Motion& motion_of(const Slot& slot) { return slot.table.placed.moti
 /// The text of a member of an object; empty if there is none.
 std::string text_of(const Json& object, const char* key);
 
+/// What the word of an option has to be, with its limits: "a whole number from 0 to 17".
+std::string wanted_of(const OptionInfo& info);
+
 /// Sets options by the words of an object: true for a flag, an array for an option that is given
 /// several times.
 /// \param tables  tables of options; an option is set in each that has it
@@ -116,11 +119,9 @@ Result<void> set_options(Target& target, const Json& words,
         const std::string text = word.is_string() ? word.template get<std::string>() : "";
         if (word.is_boolean() && !word.template get<bool>()) continue;
         if (!option->set(target, option->info, text)) {
-          return fail(ErrorKind::Usage, "CLI001",
-                      "--" + name + ": expected " +
-                          std::string(option->info.wanted.empty() ? option->info.value_name
-                                                                  : option->info.wanted) +
-                          ", found '" + text + "'");
+          return fail(
+              ErrorKind::Usage, "CLI001",
+              "--" + name + ": expected " + wanted_of(option->info) + ", found '" + text + "'");
         }
       }
     }

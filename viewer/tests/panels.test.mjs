@@ -421,6 +421,7 @@ test('a format has its own options, which are saved and in the command', {
   await tab.fill('.write-options [name="decimals"]', '99');
   await tab.click('#panel-export button:has-text("Save")');
   await isShown(tab, '.told', 'Nothing was saved');
+  await isShown(tab, '.told', 'expected a whole number from 0 to 30');
   await tab.fill('.write-options [name="decimals"]', '2');
   const edit = 'kinefile edit options.bvh trim=2:8';
   assert.equal(await tab.textContent('.command'), `${edit} --decimals 2 -o options_edited.bvh`);

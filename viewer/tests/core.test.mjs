@@ -535,6 +535,12 @@ test('a robot: its joints with limits in degrees, where it stands, how times are
   assert.deepEqual({kind, axis, unit}, {kind: 'rotation', axis: [1, 0, 0], unit: 'deg'});
   const rounded = [dof.lower, dof.upper, dof.max_speed].map((limit) => Number(limit.toFixed(9)));
   assert.deepEqual(rounded, [-45, 25, 360]);
+  // The columns have them in their own unit.
+  const [channel] = document.joints[index].channels;
+  assert.deepEqual(
+    [channel.lower, channel.upper].map((limit) => ((limit * 180) / Math.PI).toFixed(9)),
+    ['-45.000000000', '25.000000000'],
+  );
   const at = (frame) => core.ask('joint', {handle, joint: index, frame}).dofs[0];
   assert.deepEqual(at(0), {value: 0, beyond: null});
   assert.equal(at(1).value.toFixed(6), ((3 * 180) / Math.PI).toFixed(6));

@@ -265,6 +265,8 @@ test('of a robot joint its value is plotted, until a person chooses', async () =
   await openTab(tab, 'curves');
   await tab.waitForSelector('.plot canvas');
   assert.deepEqual(await pressed(), ['q']);
+  await isShown(tab, '.legend-key.limits', 'limits -0.785398 … 0.436332');
+  await shot(tab, 'limits');
   await openTab(tab, 'joints');
   await tab.click('.joint >> nth=0');
   await openTab(tab, 'curves');

@@ -34,6 +34,9 @@ export interface Channel {
   column: number;
   /** Empty: a part of a quaternion, a scale, a column that moves nothing. */
   measure?: 'length' | 'angle' | '';
+  /** Its limits in its own unit; absent: none. */
+  lower?: number;
+  upper?: number;
 }
 
 /** A way in which a joint of a robot moves; its numbers are in `unit`, absent ones are null. */

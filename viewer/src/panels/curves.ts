@@ -123,13 +123,21 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
         values[index],
       ]);
     });
+    const bounds = group.lines.flatMap(({motion, quantity: {limits}, colour}) => {
+      if (motion !== active || limits.every((limit) => limit === undefined)) return [];
+      const [lower, upper] = limits.map((limit) => (limit === undefined ? '' : shortNumber(limit)));
+      const swatch = el('span', {class: 'dash dashed'});
+      swatch.style.borderColor = colour;
+      const text = `${t('limits')} ${lower} … ${upper}`;
+      return [el('span', {class: 'legend-key limits'}, [swatch, text])];
+    });
     const unit = unitOf(group.measure, active);
     const caption = t(`measure_${group.measure}`) + (unit ? ` [${unit}]` : '');
     plots.push({plot, group, values});
     return el('figure', {attributes: {'aria-label': caption}}, [
       el('figcaption', {}, [
         el('h3', {}, [caption]),
-        el('div', {class: several ? 'legend several' : 'legend'}, keys),
+        el('div', {class: several ? 'legend several' : 'legend'}, [...keys, ...bounds]),
       ]),
       plot.root,
     ]);

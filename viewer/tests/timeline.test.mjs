@@ -564,6 +564,41 @@ test('linked by frame number, motions of two rates show the same frame', async (
   assert.deepEqual(faults, []);
 });
 
+test('the strip of ground contacts says what it is', async (t) => {
+  const rows = Array.from({length: 60}, (_, f) => `0 ${f < 30 ? 20 : 60} 0 0 0 0 0 0 0 0 0 0`);
+  const feet = smallBvh(60, ['Hips', 'Leg', 'Foot']).replaceAll('OFFSET 0 ', 'OFFSET 0 -');
+  const [head] = feet.split(/^0 90 /m);
+  const path = fileOf('feet.bvh', `${head}${rows.join('\n')}\n`);
+  const {tab, faults} = await withPage(t, [path]);
+  await tab.waitForSelector('.contact', {state: 'attached'});
+  await waitText(tab, '.track-legend', 'on the ground, darker where several are: Foot');
+  await tab.screenshot({path: join(out, 'timeline-contacts.png')});
+  assert.deepEqual(faults, []);
+});
+
+test('a message at a field of the warp stays in a narrow window', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh], {viewport: {width: 780, height: 620}});
+  await withKey(tab);
+  await tab.selectOption('[data-option="tail"]', 'extend');
+  await tab.fill('.key-number >> nth=0', '500');
+  await press(tab, 'Enter');
+  const isInside = () =>
+    tab.waitForFunction(() => {
+      const fault = document.querySelector('.warp-fault.hangs:not([hidden])');
+      const {left, right} = fault?.getBoundingClientRect() ?? {left: -1, right: 0};
+      return left >= 0 && right <= document.documentElement.clientWidth;
+    });
+  await isInside();
+  await tab.fill('.key-number >> nth=0', '50');
+  await tab.fill('.key-number >> nth=1', '119');
+  await press(tab, 'Enter');
+  await tab.selectOption('[data-option="tail"]', 'keep');
+  await waitText(tab, '.warp-options .warp-fault', 'expected keys before the new frame 119');
+  await isInside();
+  await tab.screenshot({path: join(out, 'timeline-refused-narrow.png')});
+  assert.deepEqual(faults, []);
+});
+
 test('companions and marks: an AMC waits for its ASF; a limit is marked', async (t) => {
   const asf = fileOf('small.asf', smallAsf);
   const amc = fileOf('small.amc', smallAmc([0, 5, 10, 30, 10, 0]));

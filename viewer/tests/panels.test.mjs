@@ -307,6 +307,10 @@ test('an operation is applied, refused, undone, removed, and its command copied'
   const path = writeBvh('edited.bvh', 40);
   const {tab, context, faults} = await opened([path]);
   await openTab(tab, 'edit');
+  // What an operation does stands before the command's word for it.
+  assert.equal(await tab.textContent('.operation b'), 'Some frames alone');
+  assert.match(await tab.textContent('.operation code'), /^trim=/);
+  await shot(tab, 'edit_list');
   await tab.fill('#panel-edit .search', 'frames alone');
   await tab.click('.operation:has-text("trim")');
   await tab.fill('form [name="begin"]', '30');
@@ -319,7 +323,7 @@ test('an operation is applied, refused, undone, removed, and its command copied'
   await tab.fill('form [name="begin"]', '10');
   await tab.fill('form [name="end"]', '20');
   await tab.press('form [name="end"]', 'Enter');
-  await isShown(tab, '.steps', 'trim=10:20');
+  await isShown(tab, '.steps', 'Some frames alone trim=10:20');
   assert.equal(await tab.textContent('form .refusal'), '');
 
   await tab.fill('#panel-edit .search', '');
@@ -368,7 +372,7 @@ test('undo and redo go through the steps', async () => {
   const {tab, context, faults} = await opened([writeBvh('history.bvh', 20)]);
   await openTab(tab, 'edit');
   for (const name of ['reverse', 'in-place']) {
-    await tab.click(`.operation:has(b:text-is("${name}"))`);
+    await tab.click(`.operation:has(code:text-is("${name}"))`);
     await tab.click('form button:has-text("Apply")');
     await isShown(tab, '.steps', name);
   }
@@ -689,7 +693,7 @@ test('what stands out in a motion is listed, and a click goes there', async () =
   assert.equal(await tab.locator('.joint[aria-selected="true"]').textContent(), 'Arm');
   // After a step the frames are no longer those that the check of the file names.
   await openTab(tab, 'edit');
-  await tab.click('.operation:has(b:text-is("reverse"))');
+  await tab.click('.operation:has(code:text-is("reverse"))');
   await tab.click('form button:has-text("Apply")');
   await isShown(tab, '.steps', 'reverse');
   await openTab(tab, 'check');

@@ -644,6 +644,24 @@ test('a file that is not valid shows its message, a file of another kind its nam
   assert.deepEqual(faults, []);
 });
 
+test('a table without a header says at once what is missing', async (t) => {
+  const rows = Array.from({length: 30}, (_, f) =>
+    Array(36)
+      .fill(f / 10)
+      .join(','),
+  ).join('\n');
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [fileOf('g1.csv', `${rows}\n`)]);
+  await waitText(
+    tab,
+    '.file.unknown',
+    "g1.csv:1: expected a header of 'time' and names of columns",
+  );
+  await waitText(tab, '#status', 'g1.csv: not a motion file');
+  await tab.screenshot({path: join(out, 'timeline-table.png')});
+  assert.deepEqual(faults, []);
+});
+
 test('a file of another kind that comes alone says so', async (t) => {
   const notes = fileOf('notes.md', '# nothing that moves\n');
   const {tab, faults} = await withPage(t, []);

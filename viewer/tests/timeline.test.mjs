@@ -461,11 +461,11 @@ test('an original keeps step with what its frames were cut from; who is not ther
   const {tab, faults} = await withPage(t, [bvh]);
   await tab.click('#tab-edit');
   const apply = async (operation, values) => {
-    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+    await tab.click(`.operation:has(code:text-is("${operation}"))`);
     for (const [name, value] of values) await tab.fill(`form [name="${name}"]`, value);
     await tab.click('#panel-edit form button.primary');
     await waitText(tab, '.steps', operation.split('=')[0]);
-    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+    await tab.click(`.operation:has(code:text-is("${operation}"))`);
   };
   const offsets = () => ofAll(tab, '.offset', (all) => all.map(({value}) => Number(value)));
   const presence = () => ofAll(tab, '.presence', (all) => all.map((one) => one.textContent));
@@ -511,7 +511,7 @@ test('a cut takes the range that plays; then all of it plays, and the frame stay
     await press(tab, 'Enter');
   };
   await tab.click('#tab-edit');
-  await tab.click('.operation:has(b:text-is("trim=A:B"))');
+  await tab.click('.operation:has(code:text-is("trim=A:B"))');
   assert.equal(await values(), ',');
   await goTo(20);
   await press(tab, 'i');
@@ -529,7 +529,7 @@ test('a cut takes the range that plays; then all of it plays, and the frame stay
   await waitFrame(tab, 30);
   // What is twice as fast ends sooner: what is shown is there.
   await press(tab, 'End');
-  await tab.click('.operation:has(b:text-is("speed=X"))');
+  await tab.click('.operation:has(code:text-is("speed=X"))');
   await tab.fill('form [name="factor"]', '2');
   await tab.click('#panel-edit form button.primary');
   await waitText(tab, '.steps', 'speed=2');

@@ -744,6 +744,7 @@ test('a flow alone has its poses and their values, and says what a figure needs'
   await isShown(tab, '.sentences', 'to see a figure');
   assert.equal(await tab.locator('dt:text-is("Height")').count(), 0);
   await openTab(tab, 'export');
+  await tab.waitForSelector('#export-format');
   const formats = await tab
     .locator('#export-format option')
     .evaluateAll((all) => all.map(({value}) => value));

@@ -295,7 +295,9 @@ export function makeScene(
     stage.renderer.setSize(width, height, false);
     cameras.resize(width, height);
     if (!wasMoved) frameAll();
-    invalidate();
+    // At once: a canvas of another size is blank until it is drawn.
+    isDirty = true;
+    draw(performance.now());
   }).observe(byId('stage'));
 
   return {

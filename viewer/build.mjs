@@ -8,7 +8,7 @@ import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {gzipSync} from 'node:zlib';
 import zopfli from '@gfx/zopfli';
-import {build} from 'esbuild';
+import {build, transform} from 'esbuild';
 
 const here = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
 const [coreFolder, out] = process.argv.slice(2);
@@ -60,7 +60,7 @@ function licences() {
 }
 
 /** Gzip by Zopfli: some seconds, and a twentieth smaller than zlib's best. */
-const zipped = async (bytes) => Buffer.from(await zopfli.gzipAsync(bytes, {numiterations: 5}));
+const zipped = async (bytes) => Buffer.from(await zopfli.gzipAsync(bytes, {numiterations: 15}));
 
 async function style() {
   const made = await build({
@@ -79,8 +79,13 @@ const isolated = (script) =>
 
 const script = isolated(await bundle('src/main.ts'));
 const css = await style();
-const coreScript = readFileSync(join(coreFolder, 'core.js'), 'utf8');
-const worker = isolated(`${coreScript}\n${await bundle('src/core/worker.ts')}`);
+// Emscripten's own script is minified in part alone.
+const coreScript = await transform(readFileSync(join(coreFolder, 'core.js'), 'utf8'), {
+  minify: true,
+  charset: 'utf8',
+  legalComments: 'none',
+});
+const worker = isolated(`${coreScript.code}\n${await bundle('src/core/worker.ts')}`);
 const core = (await zipped(readFileSync(join(coreFolder, 'core.wasm')))).toString('base64');
 const policy = [
   "default-src 'none'",

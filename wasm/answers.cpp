@@ -15,6 +15,7 @@
 #include "kinefile/retime.hpp"
 #include "kinefile/robot.hpp"
 #include "opening.hpp"
+#include "writing.hpp"
 
 namespace kinefile::page {
 namespace {
@@ -106,14 +107,16 @@ Json open_files(Session& session, const Json& question) {
     if (session.files.contains(path)) known.push_back(path);
   }
   constexpr const char* kWhats[] = {"document", "companion", "waiting", "fault", "unknown"};
-  constexpr unsigned kFew = 4;  // figures that a person tells apart at first sight
-  const OpenedFiles all = open_all(session, known, question.value("few", kFew));
+  const std::size_t few = count_of(question, "few", known.size());
+  const OpenedFiles all = open_all(session, known, few > 0 ? std::optional(few) : std::nullopt);
   Json opened = Json::array();
   for (const Opened& one : all.files) {
+    const Format* format = find_format(one.format);
     opened.push_back({{"path", one.path},
                       {"what", kWhats[static_cast<std::size_t>(one.what)]},
                       {"format", one.format},
                       {"handle", one.handle},
+                      {"is_model", format != nullptr && !is_written(*format)},
                       {"diagnostics", json_of(one.diagnostics)},
                       {"leniently", words_of(one.leniently)}});
   }
@@ -238,6 +241,7 @@ Json marks(const Slot& slot) {
 
 /// {"handle"}: where feet are on the ground.
 Json contacts(const Slot& slot) {
+  if (!slot.lacks.empty()) return {{"contacts", Json::array()}, {"diagnostics", Json::array()}};
   Diagnostics diagnostics;
   const auto found = retime::ground_contacts(motion_of(slot), diagnostics);
   if (!found) return failure(found.error(), diagnostics);
@@ -294,24 +298,6 @@ Json files_of(Held& held, std::vector<MemoryFile>&& files) {
   return json;
 }
 
-/// Sets what an output's format and the conversion to it have options for, by their words.
-Result<void> set_writing(const Format& format, const Json& words, WriteOptions& writing,
-                         AdaptOptions& adapting) {
-  Json of_format = Json::object(), of_conversion = Json::object();
-  for (const auto& [name, word] : words.items()) {
-    const bool is_of_format = find_option(format.write_options, name) != nullptr;
-    (is_of_format ? of_format : of_conversion)[name] = word;
-  }
-  std::vector<std::span<const Option<AdaptOptions>>> conversions;
-  for (const AdaptOption& one : adapt_options()) {
-    if (one.is_for(format)) conversions.emplace_back(&one.option, 1);
-  }
-  const std::span<const WriteOption> table[] = {format.write_options};
-  auto set = set_options<WriteOptions>(writing, of_format, table);
-  if (set) set = set_options<AdaptOptions>(adapting, of_conversion, conversions);
-  return set;
-}
-
 /// {"handle", "name", "format", "options"}: the document after its steps, converted.
 Json write_document(const Session& session, Held& held, Slot& slot, const Json& question) {
   const std::string name = text_of(question, "name"), wanted = text_of(question, "format");
@@ -321,30 +307,21 @@ Json write_document(const Session& session, Held& held, Slot& slot, const Json& 
     return failure(make_error(ErrorKind::Usage, "CLI001", "the name shows no format", name),
                    diagnostics);
   }
-  AdaptOptions adapting;
-  if (format->name != slot.source.format) {
-    adapting.skeleton = source_of_model(slot);
-    adapting.skeleton_name = slot.opening.skeleton;
-  }
-  WriteOptions options;
   const Json words = question.value("options", Json::object());
-  if (auto set = set_writing(*format, words, options, adapting); !set) {
-    return failure(set.error(), diagnostics);
-  }
-  auto project = project_of(session, slot, diagnostics);
-  if (!project) return failure(project.error(), diagnostics);
-  options.project = std::move(*project);
-  // A flow stays a flow where the format has one, otherwise what its robot does is written.
-  const bool is_kept = contains(format->conventions.writes, slot.current);
-  const Document& document = is_kept ? slot.current : slot.played;
-  auto adapted = adapt(document, *format, adapting, options, diagnostics);
-  if (!adapted) return failure(adapted.error(), diagnostics);
-  const auto files = std::make_shared<std::vector<MemoryFile>>();
-  const OutputFiles output = files_in_memory(files);
-  auto written = write(name, *adapted, *format, options, output, diagnostics);
-  if (written) written = output.commit();
-  if (!written) return failure(written.error(), diagnostics);
+  auto files = written_files(session, slot, {name, *format, words}, diagnostics);
+  if (!files) return failure(files.error(), diagnostics);
   return {{"files", files_of(held, std::move(*files))}, {"diagnostics", json_of(diagnostics)}};
+}
+
+/// {"handle"}: the formats that are written, by name, and why the document cannot be written in
+/// some; empty: it can.
+Json written_formats(const Session& session, const Slot& slot) {
+  Json hindrances;
+  for (const Format& format : formats()) {
+    if (!is_written(format)) continue;
+    hindrances[std::string(format.name)] = hindrance_of_writing(session, slot, format);
+  }
+  return {{"hindrances", std::move(hindrances)}};
 }
 
 /// {"handle", "name", "tips"}: a table of world positions.
@@ -401,6 +378,7 @@ Json answer(Session& session, Held& held, const Json& question) {
   if (ask == "zmp") return zmp(held, *slot);
   if (ask == "check") return check_document(*slot);
   if (ask == "write") return write_document(session, held, *slot, question);
+  if (ask == "written_formats") return written_formats(session, *slot);
   if (ask == "write_poses") return write_poses(held, *slot, question);
   return failure(make_error(ErrorKind::Usage, "CLI001", "there is no question '" + ask + "'"), {});
 }

@@ -119,6 +119,19 @@ std::vector<const char*> measures_of(const Skeleton& skeleton) {
   return measures;
 }
 
+/// Adds the limits of a column, in its own unit, where it has some.
+void put_limits(Json& channel, const Skeleton& skeleton, std::size_t column) {
+  const Joint& joint = skeleton.joints[skeleton.coordinates[column].joint];
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.coordinate != column || num_coordinates(dof) != 1) continue;
+    const auto put = [&](const char* name, double limit) {
+      if (std::isfinite(limit)) channel[name] = column_of(dof, limit);
+    };
+    put(dof.gain < 0 ? "upper" : "lower", dof.lower);
+    put(dof.gain < 0 ? "lower" : "upper", dof.upper);
+  }
+}
+
 Json joints_of(const Skeleton& skeleton, bool is_robot) {
   Json joints = Json::array();
   for (const Joint& joint : skeleton.joints) joints.push_back(json_of(joint));
@@ -131,8 +144,9 @@ Json joints_of(const Skeleton& skeleton, bool is_robot) {
   const std::vector<const char*> measures = measures_of(skeleton);
   for (std::size_t c = 0; c < skeleton.coordinates.size(); ++c) {
     const Coordinate& coordinate = skeleton.coordinates[c];
-    joints[coordinate.joint]["channels"].push_back(
-        {{"name", coordinate.channel}, {"column", c}, {"measure", measures[c]}});
+    Json channel = {{"name", coordinate.channel}, {"column", c}, {"measure", measures[c]}};
+    put_limits(channel, skeleton, c);
+    joints[coordinate.joint]["channels"].push_back(std::move(channel));
   }
   return joints;
 }
@@ -266,6 +280,7 @@ Json describe(const Slot& slot) {
                {"has_frames", retime::has_frames(slot.current)},
                {"is_robot", is_of_robot(slot)},
                {"has_place", has_place(slot)},
+               {"lacks", slot.lacks},
                {"angle_unit", skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians"},
                {"metres_per_unit", number(skeleton.metres_per_unit)}};
   json["facts"] = Json::array();

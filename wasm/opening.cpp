@@ -14,7 +14,8 @@ namespace {
 
 /// Files that belong to the motions of robots.
 struct Helpers {
-  std::string robot, servo_map, project;
+  std::vector<std::string> robots;  ///< the one to try first is the first
+  std::string servo_map, project;
 };
 
 constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
@@ -26,14 +27,16 @@ bool is_servo_map(const FileSet& files, const std::string& path) {
   return parse_servo_map(view(*files.at(path)), path, ignored).has_value();
 }
 
-bool is_project(const FileSet& files, const std::string& path) {
-  if (!lowered(path).ends_with(".rpj")) return false;
+bool is_named_as_project(const std::string& path) { return lowered(path).ends_with(".rpj"); }
+
+/// Whether a project can be read, with the files beside it.
+bool is_project(const FileSet& files, const std::string& path, Diagnostics& diagnostics) {
+  if (!is_named_as_project(path)) return false;
   std::set<std::string> opened;
   ReadOptions options;
   options.source_name = path;
   options.companions = files_beside(files, path, opened);
-  Diagnostics ignored;
-  return read_project(view(*files.at(path)), options, ignored).has_value();
+  return read_project(view(*files.at(path)), options, diagnostics).has_value();
 }
 
 std::string_view head_of(const FileSet& files, const std::string& path) {
@@ -49,22 +52,32 @@ bool is_robot(const Slot& slot) {
   return skeleton != nullptr && robot::is_robot(*skeleton);
 }
 
-bool wants_robot(const Slot& slot) {
-  return slot.model == nullptr && std::holds_alternative<BodyMotion>(slot.source.content);
+bool wants_helpers(const Slot& slot) {
+  const bool wants_robot =
+      slot.model == nullptr && std::holds_alternative<BodyMotion>(slot.source.content);
+  return wants_robot || !slot.lacks.empty();
 }
 
-/// The ways to open a document with what it needs of the helpers, the best one first. A file of a
-/// format that finds its companion by itself needs none; another one that cannot be read with the
-/// robot is read without it.
+/// The ways to open a document with what it needs of the helpers, the best one first: with each
+/// robot, and without one. A file of a format that finds its companion by itself needs none. A flow
+/// that cannot be read with its helpers is at fault: without them it would seem to lack them.
 std::vector<Opening> openings_with(const std::string& path, const Format& format,
                                    const Helpers& helpers) {
   const Opening plain{.path = path};
-  if (!format.companion.empty() || helpers.robot.empty()) return {plain};
+  if (!format.companion.empty()) return {plain};
   Opening opening = plain;
-  opening.skeleton = helpers.robot;
-  opening.servo_map = helpers.servo_map;
-  opening.project = helpers.project;
-  return {opening, plain};
+  if (format.conventions.writes.flows) {
+    opening.servo_map = helpers.servo_map;
+    opening.project = helpers.project;
+  }
+  std::vector<Opening> openings;
+  for (const std::string& robot : helpers.robots) {
+    openings.push_back(opening);
+    openings.back().skeleton = robot;
+  }
+  const bool is_flow_alone = format.conventions.writes.flows && !openings.empty();
+  if (!is_flow_alone) openings.push_back(opening);
+  return openings;
 }
 
 /// Opens a document in the first way that succeeds; the failure is that of the best one.
@@ -121,11 +134,14 @@ Opened open_one(Session& session, const std::string& path, const Format& format,
   return opened;
 }
 
-/// Closes skeletons that other documents were read with, whenever they were opened.
+/// Closes skeletons that other documents were read with, whenever they were opened. The robot of a
+/// flow that it cannot show yet stays open.
 void fold_companions(Session& session, std::vector<Opened>& all) {
   std::set<std::string> used;
   for (const auto& [handle, slot] : session.slots) {
-    used.insert(slot.opened.begin(), slot.opened.end());
+    for (const std::string& path : slot.opened) {
+      if (slot.lacks.empty() || path != slot.opening.skeleton) used.insert(path);
+    }
   }
   std::erase_if(session.slots, [&](const auto& entry) {
     const Slot& slot = entry.second;
@@ -144,7 +160,8 @@ void fold_companions(Session& session, std::vector<Opened>& all) {
 Helpers helpers_of(const FileSet& files) {
   Helpers helpers;
   for (const auto& [path, bytes] : files) {
-    if (is_project(files, path)) helpers.project = path;
+    Diagnostics ignored;
+    if (is_project(files, path, ignored)) helpers.project = path;
     if (is_servo_map(files, path)) helpers.servo_map = path;
   }
   return helpers;
@@ -173,28 +190,65 @@ bool is_companion(const Session& session, const std::string& path) {
                      [&](const auto& slot) { return slot.second.opened.contains(path); });
 }
 
-/// The path of the robot that was opened last, by itself or under a motion; empty if there is none.
-std::string robot_of(const Session& session) {
-  std::string path;
-  for (const auto& [handle, slot] : session.slots) {
-    if (is_robot(slot)) path = slot.opening.path;
+/// The paths of the robots that are open, by themselves or under a motion, the last one first.
+std::vector<std::string> robots_of(const Session& session) {
+  std::vector<std::string> paths;
+  for (auto entry = session.slots.rbegin(); entry != session.slots.rend(); ++entry) {
+    const Slot& slot = entry->second;
     const bool is_carried = slot.model != nullptr && robot::is_robot(skeleton_of(*slot.model));
-    if (is_carried) path = slot.opening.skeleton;
+    const std::string& path = is_carried ? slot.opening.skeleton : slot.opening.path;
+    const bool is_new = std::find(paths.begin(), paths.end(), path) == paths.end();
+    if ((is_carried || is_robot(slot)) && is_new) paths.push_back(path);
   }
-  return path;
+  return paths;
 }
 
-/// Reads the body motions that have no robot again, with the robot.
-void give_robot(Session& session, const std::string& robot, std::set<int>& changed) {
+/// The robots to try a motion with: those of the files that are being opened in their order, then
+/// those that were open before.
+std::vector<std::string> robots_among(const Session& session,
+                                      const std::vector<std::string>& models,
+                                      const std::vector<std::string>& before) {
+  const std::vector<std::string> now = robots_of(session);
+  std::vector<std::string> robots;
+  for (const std::string& path : models) {
+    const bool is_open = std::find(now.begin(), now.end(), path) != now.end();
+    if (is_open) robots.push_back(path);
+  }
+  robots.insert(robots.end(), before.begin(), before.end());
+  return robots;
+}
+
+/// What a document was opened with, and the helpers that it lacks.
+Opening completed(const Slot& slot, const std::string& robot, const Helpers& helpers) {
+  Opening opening = slot.opening;
+  if (opening.skeleton.empty()) opening.skeleton = robot;
+  const bool is_flow = std::holds_alternative<PoseFlow>(slot.source.content);
+  if (is_flow && opening.servo_map.empty()) opening.servo_map = helpers.servo_map;
+  if (is_flow && opening.project.empty()) opening.project = helpers.project;
+  return opening;
+}
+
+/// Whether a file is opened with the same other files.
+bool are_same(const Opening& a, const Opening& b) {
+  return a.skeleton == b.skeleton && a.servo_map == b.servo_map && a.project == b.project;
+}
+
+/// Reads the documents that lack a robot or another helper again, with it.
+void give_helpers(Session& session, const Helpers& helpers, std::set<int>& changed) {
+  std::vector<std::string> robots = helpers.robots;
+  if (robots.empty()) robots.emplace_back();
   for (auto& [handle, slot] : session.slots) {
-    if (robot.empty() || !wants_robot(slot)) continue;
-    Opening opening = slot.opening;
-    opening.skeleton = robot;
-    Diagnostics ignored;
-    auto again = open(session, opening, ignored);
-    if (!again) continue;
-    slot = std::move(*again);
-    changed.insert(handle);
+    if (!wants_helpers(slot)) continue;
+    for (const std::string& robot : robots) {
+      const Opening opening = completed(slot, robot, helpers);
+      if (are_same(opening, slot.opening)) continue;
+      Diagnostics ignored;
+      auto again = open(session, opening, ignored);
+      if (!again) continue;
+      slot = std::move(*again);
+      changed.insert(handle);
+      break;
+    }
   }
 }
 
@@ -205,16 +259,47 @@ struct Work {
   OpenedFiles done;
 };
 
+/// Closes the robots among the files that are more than so many, so that they wait; all of them if
+/// one is carried by a motion.
+void keep_first_robots(Work& work, const std::vector<std::string>& models, std::size_t most) {
+  const auto is_model = [&](const std::string& path) {
+    return std::find(models.begin(), models.end(), path) != models.end();
+  };
+  const auto& slots = work.session.slots;
+  const bool is_carried = std::any_of(slots.begin(), slots.end(), [&](const auto& entry) {
+    return entry.second.lacks.empty() && is_model(entry.second.opening.skeleton);
+  });
+  std::size_t num_open = 0;
+  for (Opened& opened : work.done.files) {
+    if (opened.handle == 0 || !is_model(opened.path)) continue;
+    if (!is_carried && num_open++ < most) continue;
+    work.session.slots.erase(opened.handle);
+    opened.what = Opened::What::Waiting;
+    opened.handle = 0;
+  }
+}
+
 /// Whether another file is read with this one.
 bool is_taken(const Work& work, const std::string& path) {
   return path == work.helpers.project || path == work.helpers.servo_map ||
          is_companion(work.session, path);
 }
 
+/// What became of a file of no format: it may belong to others, or be a project at fault.
+Opened unopened(const Work& work, const std::string& path) {
+  Opened opened{.path = path};
+  if (is_taken(work, path)) {
+    opened.what = Opened::What::Companion;
+  } else if (is_named_as_project(path) &&
+             !is_project(work.session.files, path, opened.diagnostics)) {
+    opened.what = Opened::What::Fault;
+  }
+  return opened;
+}
+
 Opened open_now(Work& work, const std::string& path) {
   const Format& format = *format_of(work.session.files, path);
-  work.helpers.robot = is_written(format) ? robot_of(work.session) : std::string();
-  return open_one(work.session, path, format, work.helpers);
+  return open_one(work.session, path, format, is_written(format) ? work.helpers : Helpers());
 }
 
 /// Opens files one after the other until so many are open; after many that cannot be read the rest
@@ -256,22 +341,25 @@ std::vector<std::string> motions_of(Work& work, const std::vector<std::string>& 
 
 }  // namespace
 
-OpenedFiles open_all(Session& session, const std::vector<std::string>& paths, std::size_t few) {
+OpenedFiles open_all(Session& session, const std::vector<std::string>& paths,
+                     std::optional<std::size_t> few) {
   constexpr std::size_t kMostModels = 8;
+  constexpr std::size_t kFew = 4;  // figures that a person tells apart at first sight
+  const std::size_t most = few.value_or(kFew);
   Work work{session, helpers_of(session.files), {}};
   std::map<Role, std::vector<std::string>> of_role;
   for (const std::string& path : paths) {
     const Role role = role_of(format_of(session.files, path));
-    const bool is_used = role == Role::None && is_taken(work, path);
-    const auto what = is_used ? Opened::What::Companion : Opened::What::Unknown;
-    if (role == Role::None) work.done.files.push_back({.path = path, .what = what});
+    if (role == Role::None) work.done.files.push_back(unopened(work, path));
     if (role != Role::None) of_role[role].push_back(path);
   }
-  // Models first, since body motions and flows are placed on them.
+  // Models first, since body motions and flows are placed on them: all, to see which one fits.
+  const std::vector<std::string> before = robots_of(session);
   open_up_to(work, of_role[Role::Model], kMostModels);
+  work.helpers.robots = robots_among(work.session, of_role[Role::Model], before);
   const std::vector<std::string> motions = motions_of(work, of_role[Role::Motion]);
-  const bool are_few = motions.size() <= few;
-  open_up_to(work, motions, are_few ? few : 1);
+  const bool are_few = motions.size() <= most;
+  open_up_to(work, motions, are_few ? most : 1);
   // Skeletons last: by then it is known which of them motions are read with. Beside many motions
   // the others belong to those that wait.
   if (are_few) {
@@ -281,8 +369,9 @@ OpenedFiles open_all(Session& session, const std::vector<std::string>& paths, st
       work.done.files.push_back({.path = path, .what = Opened::What::Companion});
     }
   }
-  give_robot(session, robot_of(session), work.done.changed);
+  give_helpers(session, work.helpers, work.done.changed);
   fold_companions(session, work.done.files);
+  keep_first_robots(work, of_role[Role::Model], few.value_or(1));
   for (const Opened& opened : work.done.files) {
     if (opened.handle != 0) work.done.changed.insert(opened.handle);
   }

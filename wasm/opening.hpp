@@ -37,9 +37,12 @@ struct OpenedFiles {
 /// Opens files of the set as a person who gives several at once expects: skeletons, parts of models
 /// and sets that others of the files are read with are not opened by themselves; a robot carries
 /// the body motions and flows among them, a servo map or a project makes flows move. Body motions
-/// that were open without a robot get it, too. Of a folder full of motions the first one is opened:
-/// many at once could not be told apart.
-/// \param few  up to how many motions are all opened
-OpenedFiles open_all(Session& session, const std::vector<std::string>& paths, std::size_t few);
+/// that were open without a robot get it, too, and flows what they lack. Of a folder full of
+/// motions the first one is opened: many at once could not be told apart. Of several robots the
+/// first is opened, and none if a motion among the files carries one. \param few  up to how many
+/// motions, and how many robots, are opened; absent: what a person tells
+///             apart at first sight
+OpenedFiles open_all(Session& session, const std::vector<std::string>& paths,
+                     std::optional<std::size_t> few);
 
 }  // namespace kinefile::page

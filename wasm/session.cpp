@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "session.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -10,6 +13,7 @@
 #include "kinefile/retime_documents.hpp"
 #include "kinefile/robot.hpp"
 #include "kinefile/run.hpp"
+#include "sliders.hpp"
 
 namespace kinefile::page {
 namespace {
@@ -80,6 +84,9 @@ Result<std::optional<ServoMap>> servo_map_for(const FileSet& files, Slot& slot,
   return std::optional(std::move(*map));
 }
 
+/// The last part of a path.
+std::string name_of_file(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
 /// The poses of a run, in its order.
 std::vector<PlayedBlock> blocks_of(const flow::Run& run, const PoseFlow& flow) {
   constexpr std::size_t kMost = 5000;  // more cannot be seen on a timeline
@@ -92,7 +99,36 @@ std::vector<PlayedBlock> blocks_of(const flow::Run& run, const PoseFlow& flow) {
   return blocks;
 }
 
-/// Runs a flow through a servo map, so that it has a motion; other documents stay as they are.
+constexpr const char* kNeeds = "to see a figure, a flow of servo poses needs ";
+
+/// What a flow lacks to be shown on a robot; empty: nothing.
+std::string lacked(bool has_robot, bool has_map) {
+  constexpr const char* kRobot = "the robot's model (.body, .wrl, .urdf)";
+  constexpr const char* kMap = "a servo map (.yaml) or the robot's project (.rpj)";
+  if (has_robot) return has_map ? "" : std::string(kNeeds) + kMap;
+  return kNeeds + (has_map ? kRobot : kRobot + std::string(" and ") + kMap);
+}
+
+/// The motion of a robot that a flow makes through a servo map. A map that is made of the project
+/// has its names of sliders, which need not be those of the robot's joints: then it is none.
+Result<Document> moved_robot(Slot& slot, const TimedRun& timed, const ServoMap& map,
+                             Diagnostics& diagnostics) {
+  ServoMap timed_map = map;
+  timed_map.tick_seconds = timed.tick_seconds;
+  Diagnostics own;
+  auto document = document_of_run(timed, timed_map, source_of_model(slot), own);
+  if (!document && document.error().code == "SVM010" && slot.opening.servo_map.empty()) {
+    slot.lacks = std::string(kNeeds) +
+                 "a servo map (.yaml), since no joint of the robot has the name of a slider of the "
+                 "project";
+  } else {
+    diagnostics.append(std::move(own));
+  }
+  return document;
+}
+
+/// Runs a flow through a servo map, so that it has a motion: of its robot, or of its sliders alone
+/// where something is missing. Other documents stay as they are.
 Result<Document> moving(const Session& session, Slot& slot, const Document& document,
                         Diagnostics& diagnostics) {
   const PoseFlow* flow = std::get_if<PoseFlow>(&document.content);
@@ -101,22 +137,21 @@ Result<Document> moving(const Session& session, Slot& slot, const Document& docu
   if (!project) return fail(std::move(project.error()));
   auto map = servo_map_for(session.files, slot, project->get(), diagnostics);
   if (!map) return fail(std::move(map.error()));
-  if (!*map || slot.model == nullptr) {
-    std::string missing = slot.model == nullptr ? "the robot's model" : "";
-    if (!*map)
-      missing += missing.empty() ? "a servo map or a project" : " and a servo map or a project";
-    return fail(ErrorKind::Usage, "CLI001",
-                "a flow of servo poses is shown on a robot; still missing: " + missing);
-  }
   RunSettings settings;
   settings.project = *project;
-  settings.servo_map = **map;
+  settings.servo_map = *map;
   const auto timed = run(*flow, settings, diagnostics);
   if (!timed) return fail(timed.error());
   slot.blocks = blocks_of(timed->run, *flow);
-  ServoMap timed_map = **map;
-  timed_map.tick_seconds = timed->tick_seconds;
-  return document_of_run(*timed, timed_map, source_of_model(slot), diagnostics);
+  slot.lacks = lacked(slot.model != nullptr, map->has_value());
+  if (slot.lacks.empty()) {
+    auto moved = moved_robot(slot, *timed, **map, diagnostics);
+    if (slot.lacks.empty()) return moved;
+  }
+  Document sliders;
+  sliders.content = motion_of_sliders(*timed, *flow, project->get());
+  std::get<Motion>(sliders.content).skeleton.joints[0].name = name_of_file(slot.opening.path);
+  return sliders;
 }
 
 /// Places the current document in the world.
@@ -222,6 +257,22 @@ DocumentSource source_of_model(const Slot& slot) {
 bool is_of_robot(const Slot& slot) {
   const bool is_on_robot = slot.model != nullptr && robot::is_robot(skeleton_of(*slot.model));
   return is_on_robot || robot::is_robot(motion_of(slot).skeleton);
+}
+
+std::string wanted_of(const OptionInfo& info) {
+  if (!info.wanted.empty()) return std::string(info.wanted);
+  const bool is_count = info.type == OptionType::Count;
+  if (!is_count && info.type != OptionType::Number) return std::string(info.value_name);
+  const std::string kind = is_count ? "a whole number" : "a number";
+  const bool has_most = info.most < std::numeric_limits<double>::max();
+  const std::string most = has_most ? fmt::format("{}", info.most) : "";
+  if (info.least > 0 && info.least <= std::numeric_limits<double>::min()) {
+    return kind + " above 0" + (has_most ? ", at most " + most : "");
+  }
+  const bool has_least = info.least > std::numeric_limits<double>::lowest();
+  if (!has_least) return has_most ? kind + " of at most " + most : kind;
+  return has_most ? fmt::format("{} from {} to {}", kind, info.least, most)
+                  : fmt::format("{} of at least {}", kind, info.least);
 }
 
 std::string text_of(const Json& object, const char* key) {

@@ -50,6 +50,8 @@ struct Slot {
   std::optional<Document> clock;          ///< the times of `source` that `current` shows, as a body
                                           ///< motion; absent: it has no frames, or not known
   std::vector<PlayedBlock> blocks;        ///< of a flow: its poses in the order of its run
+  std::string lacks;                      ///< of a flow: why `played` has its sliders alone and
+                                          ///< shows no figure; empty: it shows one
   std::set<std::string> opened;           ///< the companions that were read, by path
   Diagnostics noticed;                    ///< of reading and placing it
 };
@@ -96,6 +98,9 @@ inline const Motion& motion_of(const Slot& slot) { return slot.table.placed.moti
 /// The text of a member of an object; empty if there is none.
 std::string text_of(const Json& object, const char* key);
 
+/// What the word of an option has to be, with its limits: "a whole number from 0 to 17".
+std::string wanted_of(const OptionInfo& info);
+
 /// Sets options by the words of an object: true for a flag, an array for an option that is given
 /// several times.
 /// \param tables  tables of options; an option is set in each that has it
@@ -114,11 +119,9 @@ Result<void> set_options(Target& target, const Json& words,
         const std::string text = word.is_string() ? word.template get<std::string>() : "";
         if (word.is_boolean() && !word.template get<bool>()) continue;
         if (!option->set(target, option->info, text)) {
-          return fail(ErrorKind::Usage, "CLI001",
-                      "--" + name + ": expected " +
-                          std::string(option->info.wanted.empty() ? option->info.value_name
-                                                                  : option->info.wanted) +
-                          ", found '" + text + "'");
+          return fail(
+              ErrorKind::Usage, "CLI001",
+              "--" + name + ": expected " + wanted_of(option->info) + ", found '" + text + "'");
         }
       }
     }

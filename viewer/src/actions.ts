@@ -131,7 +131,9 @@ export function makeActions(core: Core, store: Store): Actions {
       if (known === undefined) motions = added(motions, handle, document, found(handle));
       else {
         motions = motions.map((motion) =>
-          motion === known ? {...known, document, version: known.version + 1} : motion,
+          motion === known
+            ? {...known, document, steps: [], version: known.version + 1} // done again below
+            : motion,
         );
       }
     }
@@ -192,19 +194,27 @@ export function makeActions(core: Core, store: Store): Actions {
       store.set({message: answer.error.message});
       return null;
     }
+    const before = store.state.motions;
     const motions = merged(answer.documents, answer.opened);
     store.set({motions, files: remaining(answer.opened), active: firstActive(motions)});
+    for (const {handle, steps, done, undone} of before) {
+      const now = store.state.motions.find((motion) => motion.handle === handle);
+      const isReadAgain = now !== undefined && steps.length > 0 && now.steps.length === 0;
+      if (isReadAgain) told(await apply(now, {steps, done, undone}));
+    }
     return answer.opened;
   };
 
   /** A motion of a list of several goes back to it when it is closed. */
   const listedAgain = ({document}: OpenMotion, motions: OpenMotion[]): OpenedFile[] => {
-    const {path, format, kind} = document;
+    const {path, format, kind, is_robot} = document;
     const {files} = store.state;
     const isLast = motions.every((other) => other.document.path !== path);
     const hasList = files.some(({what}) => what === 'waiting');
-    if (!hasList || !isLast || kind === 'skeleton') return files;
-    return [...files, {path, what: 'waiting', format, handle: 0, diagnostics: [], leniently: null}];
+    const is_model = kind === 'skeleton' && is_robot;
+    if (!hasList || !isLast || (kind === 'skeleton' && !is_model)) return files;
+    const listed = {path, format, handle: 0, is_model, diagnostics: [], leniently: null};
+    return [...files, {...listed, what: 'waiting'}];
   };
 
   const actions: Actions = {
@@ -259,6 +269,7 @@ export function makeActions(core: Core, store: Store): Actions {
           what: 'fault',
           format: '',
           handle: 0,
+          is_model: false,
           diagnostics: diagnostics.length > 0 ? diagnostics : [error],
           leniently: answer.leniently ?? null,
         });

@@ -11,6 +11,7 @@ import {makeTimeAxis} from './panels/axis.ts';
 import {makeEmpty} from './panels/empty.ts';
 import {makeFileList} from './panels/files.ts';
 import {makeHelp} from './panels/help.ts';
+import {makeLacks} from './panels/lacks.ts';
 import {makeMarks} from './panels/marks.ts';
 import {makeMotionList} from './panels/motions.ts';
 import {makeSheet} from './panels/sheet.ts';
@@ -116,6 +117,7 @@ function makeSurroundings(
 ): void {
   makeMotionList(store, actions);
   makeFileList(store, actions);
+  makeLacks(store);
   makeEmpty(tables, store);
   const axis = makeTimeAxis(store);
   const marks = makeMarks(core, store);

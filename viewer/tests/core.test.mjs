@@ -8,7 +8,7 @@ import {basename, join} from 'node:path';
 import {test} from 'node:test';
 import {data, root, run} from './browser.mjs';
 import {openCore} from './core.mjs';
-import {smallAmc, smallAsf, smallBvh} from './motions.mjs';
+import {smallAmc, smallAsf, smallBvh, smallProject} from './motions.mjs';
 
 const real = join(data, 'bvh/real');
 
@@ -217,7 +217,10 @@ test('a file is written with the options of its format and of the conversion', a
   assert.ok(seq.adapt_options.some(({name}) => name === 'form'));
   assert.ok(formats.every(({is_written, adapt_options}) => is_written || !adapt_options.length));
   const refused = core.ask('write', {handle, name: 'b.bvh', options: {decimals: '99'}});
-  assert.match(refused.error.message, /decimals/);
+  assert.match(
+    refused.error.message,
+    /^--decimals: expected a whole number from 0 to 30, found '99'$/,
+  );
 });
 
 test('a ZMP is given in the world, whichever frame the file has it in', async () => {
@@ -308,6 +311,88 @@ test('a flow is written as its own format, and as the motion of its robot', asyn
   assert.deepEqual(Buffer.from(txt.bytes), example('wave.txt'));
 });
 
+test('a flow keeps what it was given, and says what is missing', async () => {
+  const core = await openCore();
+  const documents = new Map();
+  const give = (files) => {
+    for (const [path, text] of Object.entries(files)) core.addFile(path, Buffer.from(text));
+    const answer = core.ask('open_all', {paths: Object.keys(files)});
+    for (const {handle, document} of answer.documents) {
+      if (document !== null) documents.set(handle, document);
+    }
+    return answer;
+  };
+  const flow = () => [...documents.values()].find(({path}) => path === 'wave.txt');
+  const {handle} = give({'wave.txt': example('wave.txt')}).opened[0];
+  assert.match(flow().lacks, /the robot's model .* and a servo map .* or the robot's project/);
+  const blocks = flow().blocks;
+  assert.ok(blocks.length > 3);
+  const frame = blocks[2].frame;
+  const sliderAt = (name) =>
+    core.ask('joint', {handle, joint: 0, frame}).channels.find((one) => one.name === name).value;
+  const word = sliderAt('s12');
+  assert.equal(word, 0x7000);
+  // A project names sliders; without its files it says what it lacks.
+  const {'robot.rpj': project, 'sliders.ini': sliders} = smallProject;
+  const alone = give({'robot.rpj': project}).opened[0];
+  assert.equal(alone.what, 'fault');
+  assert.match(alone.diagnostics[0].message, /sliders\.ini/);
+  const whole = give({'robot.rpj': project, 'sliders.ini': sliders});
+  assert.deepEqual(whats(whole), {'robot.rpj': 'companion', 'sliders.ini': 'companion'});
+  assert.equal(flow().project, 'robot.rpj');
+  assert.match(flow().lacks, /needs the robot's model \(\.body, \.wrl, \.urdf\)$/);
+  assert.ok(Math.abs(sliderAt('shoulder [°]') - word / 182) < 1e-9);
+  // The robot has no joint of that name; it stays open, and a servo map is asked for.
+  const robot = give({'robot.body': example('robot.body')});
+  assert.deepEqual(whats(robot), {'robot.body': 'document'});
+  assert.match(flow().lacks, /needs a servo map \(\.yaml\), since no joint/);
+  const map = give({'servos.yaml': example('servos.yaml')});
+  assert.equal(map.documents.length, 1);
+  const {lacks, skeleton, servo_map, blocks: now} = flow();
+  assert.deepEqual(
+    {lacks, skeleton, servo_map, project: flow().project},
+    {lacks: '', skeleton: 'robot.body', servo_map: 'servos.yaml', project: 'robot.rpj'},
+  );
+  assert.equal(now.length, blocks.length);
+});
+
+test('a document says in which formats it can be written, and what others need', async () => {
+  const core = await openCore();
+  core.addFile('a.bvh', Buffer.from(smallBvh(3)));
+  core.addFile('robot.body', example('robot.body'));
+  core.addFile('wave.txt', example('wave.txt'));
+  const hindrances = (path) => {
+    const {handle} = core.ask('open', {path});
+    return core.ask('written_formats', {handle}).hindrances;
+  };
+  const offered = (path) =>
+    Object.entries(hindrances(path)).flatMap(([name, text]) => (text === '' ? [name] : []));
+  assert.deepEqual(offered('a.bvh'), ['bvh', 'asf', 'amc', 'choreonoid', 'csv', 'json']);
+  assert.match(hindrances('a.bvh').robovie, /'kinefile keyframe' with a servo map/);
+  assert.match(hindrances('a.bvh').hrpsys, /expected a robot's motion/);
+  assert.ok(!offered('robot.body').includes('choreonoid'));
+  assert.deepEqual(offered('wave.txt'), ['robovie', 'csv', 'json']);
+  // What is offered is written.
+  const {handle} = core.ask('open', {path: 'a.bvh'});
+  for (const format of offered('a.bvh')) {
+    const answer = core.ask('write', {handle, name: `b.${format}`, format});
+    assert.equal(answer.error, undefined, format);
+  }
+});
+
+test('a table without a header says so at once', async () => {
+  const core = await openCore();
+  const rows = Array.from({length: 30}, (_, f) =>
+    Array(36)
+      .fill(f / 10)
+      .join(','),
+  ).join('\n');
+  core.addFile('g1.csv', Buffer.from(`${rows}\n`));
+  const [table] = core.ask('open_all', {paths: ['g1.csv']}).opened;
+  assert.equal(table.what, 'unknown');
+  assert.match(table.diagnostics[0].message, /a header of 'time'.*; numbers alone do not say what/);
+});
+
 test('a failure says whether the file opens leniently, and with what', async () => {
   const core = await openCore();
   const whole = smallBvh(3);
@@ -369,6 +454,20 @@ test('of a few motions all are opened, of many the first; what is no motion is n
   assert.deepEqual(open, ['day/1.bvh']);
   const [listed] = core.ask('open_all', {paths: ['day/4.bvh', 'day/3.bvh'], few: 2}).opened;
   assert.deepEqual([listed.path, listed.what], ['day/4.bvh', 'document']);
+});
+
+test('of several robots the first is opened, and none beside a motion that one carries', async () => {
+  const robot = example('robot.body');
+  const robots = {'a.body': robot, 'b.body': robot, 'c.body': robot};
+  const core = await openCore();
+  const first = {'a.body': 'document', 'b.body': 'waiting', 'c.body': 'waiting'};
+  assert.deepEqual(openFolder(core, robots), first);
+  const {opened, documents} = core.ask('open_all', {paths: ['c.body'], few: 1});
+  assert.deepEqual([opened[0].what, opened[0].is_model, documents.length], ['document', true, 2]);
+  const other = await openCore();
+  const carried = openFolder(other, {...robots, 'bow.seq': example('bow.seq')});
+  assert.deepEqual(carried, {...first, 'a.body': 'companion', 'bow.seq': 'document'});
+  assert.equal(other.ask('open_all', {paths: []}).documents.length, 1);
 });
 
 test('beside many motions the skeletons of others are not opened', async () => {
@@ -436,6 +535,12 @@ test('a robot: its joints with limits in degrees, where it stands, how times are
   assert.deepEqual({kind, axis, unit}, {kind: 'rotation', axis: [1, 0, 0], unit: 'deg'});
   const rounded = [dof.lower, dof.upper, dof.max_speed].map((limit) => Number(limit.toFixed(9)));
   assert.deepEqual(rounded, [-45, 25, 360]);
+  // The columns have them in their own unit.
+  const [channel] = document.joints[index].channels;
+  assert.deepEqual(
+    [channel.lower, channel.upper].map((limit) => ((limit * 180) / Math.PI).toFixed(9)),
+    ['-45.000000000', '25.000000000'],
+  );
   const at = (frame) => core.ask('joint', {handle, joint: index, frame}).dofs[0];
   assert.deepEqual(at(0), {value: 0, beyond: null});
   assert.equal(at(1).value.toFixed(6), ((3 * 180) / Math.PI).toFixed(6));

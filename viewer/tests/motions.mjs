@@ -82,6 +82,19 @@ export const smallAmc = (angles) =>
     '',
   ].join('\n');
 
+/** A robot's project for the flow of the examples: its first slider has a name and degrees. */
+export const smallProject = {
+  'robot.rpj': 'MODELNAME:[[small]]\nSLDINI:[[sliders.ini]]\n',
+  'sliders.ini': `_CENTER_BAR:[0.5]-[0]
+_NUMBER:[12]
+_AXISNAME:[[shoulder]]
+_PAIR:[0]-[0]
+_PUTSTYLE:[2]-[2]-[182.0]
+_DIVISION:[-32768]-[32767]-[128]
+_FLAG:[0]-[4]
+`,
+};
+
 /** Writes a file for a test; gives back its path. */
 export function fileOf(name, text) {
   const path = join(out, name);

@@ -17,6 +17,7 @@ import {
   phone,
   root,
 } from './browser.mjs';
+import {smallProject} from './motions.mjs';
 
 const folder = join(out, 'panels');
 mkdirSync(folder, {recursive: true});
@@ -264,6 +265,8 @@ test('of a robot joint its value is plotted, until a person chooses', async () =
   await openTab(tab, 'curves');
   await tab.waitForSelector('.plot canvas');
   assert.deepEqual(await pressed(), ['q']);
+  await isShown(tab, '.legend-key.limits', 'limits -0.785398 … 0.436332');
+  await shot(tab, 'limits');
   await openTab(tab, 'joints');
   await tab.click('.joint >> nth=0');
   await openTab(tab, 'curves');
@@ -304,6 +307,10 @@ test('an operation is applied, refused, undone, removed, and its command copied'
   const path = writeBvh('edited.bvh', 40);
   const {tab, context, faults} = await opened([path]);
   await openTab(tab, 'edit');
+  // What an operation does stands before the command's word for it.
+  assert.equal(await tab.textContent('.operation b'), 'Some frames alone');
+  assert.match(await tab.textContent('.operation code'), /^trim=/);
+  await shot(tab, 'edit_list');
   await tab.fill('#panel-edit .search', 'frames alone');
   await tab.click('.operation:has-text("trim")');
   await tab.fill('form [name="begin"]', '30');
@@ -316,7 +323,7 @@ test('an operation is applied, refused, undone, removed, and its command copied'
   await tab.fill('form [name="begin"]', '10');
   await tab.fill('form [name="end"]', '20');
   await tab.press('form [name="end"]', 'Enter');
-  await isShown(tab, '.steps', 'trim=10:20');
+  await isShown(tab, '.steps', 'Some frames alone trim=10:20');
   assert.equal(await tab.textContent('form .refusal'), '');
 
   await tab.fill('#panel-edit .search', '');
@@ -365,7 +372,7 @@ test('undo and redo go through the steps', async () => {
   const {tab, context, faults} = await opened([writeBvh('history.bvh', 20)]);
   await openTab(tab, 'edit');
   for (const name of ['reverse', 'in-place']) {
-    await tab.click(`.operation:has(b:text-is("${name}"))`);
+    await tab.click(`.operation:has(code:text-is("${name}"))`);
     await tab.click('form button:has-text("Apply")');
     await isShown(tab, '.steps', name);
   }
@@ -420,6 +427,7 @@ test('a format has its own options, which are saved and in the command', {
   await tab.fill('.write-options [name="decimals"]', '99');
   await tab.click('#panel-export button:has-text("Save")');
   await isShown(tab, '.told', 'Nothing was saved');
+  await isShown(tab, '.told', 'expected a whole number from 0 to 30');
   await tab.fill('.write-options [name="decimals"]', '2');
   const edit = 'kinefile edit options.bvh trim=2:8';
   assert.equal(await tab.textContent('.command'), `${edit} --decimals 2 -o options_edited.bvh`);
@@ -525,7 +533,10 @@ test('repair is offered where it helps alone', async () => {
   writeFileSync(cut, whole.slice(0, 80));
   const {tab, context, faults} = await opened([mended, cut]);
   await isShown(tab, '.file.fault:has-text("mended.bvh") button', 'Repair and open');
-  await isShown(tab, '.file.fault:has-text("cut.bvh") button', 'Try again');
+  // Nothing has changed since it was refused.
+  const again = '.file.fault:has-text("cut.bvh") button:text-is("Try again")';
+  await isShown(tab, '.file.fault', 'cut.bvh');
+  assert.equal(await tab.locator(again).count(), 0);
   await openTab(tab, 'check');
   await isShown(tab, '.check-panel h2', 'cut.bvh was not opened');
   assert.equal(await tab.locator('.check-panel button:text-is("Repair and open")').count(), 1);
@@ -533,6 +544,10 @@ test('repair is offered where it helps alone', async () => {
   await tab.click('.file.fault button:text-is("Repair and open")');
   await isShown(tab, '#motions', 'mended.bvh');
   await tab.waitForFunction(() => document.querySelectorAll('.file.fault').length === 1);
+  // Now there is another file that it might need.
+  await tab.waitForSelector(again);
+  await tab.click(again);
+  await tab.waitForSelector(again, {state: 'detached'});
   assert.deepEqual(faults, []);
   await context.close();
 });
@@ -576,6 +591,26 @@ test('of a folder full of takes the first opens, the others are one click each',
   await isShown(tab, '#status', 'take1.bvh is open already');
   await isShown(tab, '#files .waiting summary', '12 motions here, 1 open');
   await shot(tab, 'folder_again');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('of several robots the first opens, the others are one click each', async () => {
+  const robots = join(folder, 'robots');
+  mkdirSync(robots, {recursive: true});
+  for (const name of ['first', 'second', 'third']) {
+    writeFileSync(join(robots, `${name}.body`), readFileSync(join(examples, 'robot.body')));
+  }
+  const {tab, context, faults} = await opened([robots]);
+  await isShown(tab, '#files .waiting summary', '3 robots and motions here, 1 open');
+  assert.deepEqual(await tab.locator('.motion .name').allTextContents(), ['first.body']);
+  const listed = await tab.locator('.waiting li').allTextContents();
+  assert.deepEqual(listed, ['second.body', 'third.body']);
+  await shot(tab, 'robots');
+  await tab.click('.waiting button:text-is("third.body")');
+  await isShown(tab, '.motion.active', 'third.body');
+  await tab.click('[aria-label="Close third.body"]');
+  await isShown(tab, '#files .waiting summary', '3 robots and motions here, 1 open');
   assert.deepEqual(faults, []);
   await context.close();
 });
@@ -658,7 +693,7 @@ test('what stands out in a motion is listed, and a click goes there', async () =
   assert.equal(await tab.locator('.joint[aria-selected="true"]').textContent(), 'Arm');
   // After a step the frames are no longer those that the check of the file names.
   await openTab(tab, 'edit');
-  await tab.click('.operation:has(b:text-is("reverse"))');
+  await tab.click('.operation:has(code:text-is("reverse"))');
   await tab.click('form button:has-text("Apply")');
   await isShown(tab, '.steps', 'reverse');
   await openTab(tab, 'check');
@@ -684,6 +719,72 @@ test('a flow of servo poses: its own operations, its robot and its servo map', a
   await openTab(tab, 'edit');
   await isShown(tab, '.operation', 'offset=SLIDER:VALUE');
   assert.equal(await tab.locator('.operation:has-text("trim")').count(), 0);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a flow alone has its poses and their values, and says what a figure needs', async () => {
+  const {tab, context, faults} = await opened([join(examples, 'wave.txt')]);
+  await isShown(
+    tab,
+    '.lacks',
+    "wave.txt: to see a figure, a flow of servo poses needs the robot's",
+  );
+  await tab.waitForSelector('.track .block .label');
+  await isShown(tab, '.readouts h2', 'wave.txt');
+  await tab.fill('#frame', '60');
+  await tab.press('#frame', 'Enter');
+  await isShown(tab, '.values tr:has-text("s12")', '28672');
+  assert.equal(await tab.locator('.values table').count(), 1, 'nothing of it has a place');
+  await shot(tab, 'flow_alone');
+  await openTab(tab, 'curves');
+  await isShown(tab, '.legend-key', 's12');
+  await shot(tab, 'flow_curves');
+  await openTab(tab, 'info');
+  await isShown(tab, '.sentences', 'to see a figure');
+  assert.equal(await tab.locator('dt:text-is("Height")').count(), 0);
+  await openTab(tab, 'export');
+  await tab.waitForSelector('#export-format');
+  const formats = await tab
+    .locator('#export-format option')
+    .evaluateAll((all) => all.map(({value}) => value));
+  assert.deepEqual(formats, ['robovie', 'csv', 'json']);
+  // What comes is kept: then the other one alone is asked for.
+  for (const [name, text] of Object.entries(smallProject)) writeFileSync(join(folder, name), text);
+  await drop(
+    tab,
+    Object.keys(smallProject).map((name) => join(folder, name)),
+    100,
+    200,
+  );
+  await isShown(tab, '.lacks', "needs the robot's model (.body, .wrl, .urdf)");
+  await tab.waitForFunction(() => !document.querySelector('.lacks').textContent.includes('.rpj'));
+  await openTab(tab, 'info');
+  assert.equal(await tab.inputValue('#companion-project'), 'robot.rpj');
+  await openTab(tab, 'joints');
+  await isShown(tab, '.values tr', 'shoulder [°]');
+  await drop(
+    tab,
+    ['robot.body', 'servos.yaml'].map((name) => join(examples, name)),
+    100,
+    200,
+  );
+  await tab.waitForSelector('.lacks', {state: 'hidden'});
+  await isShown(tab, '.joint', 'LEG_R_HIP_R');
+  assert.equal(await tab.locator('.motion').count(), 1);
+  await shot(tab, 'flow_complete');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+test('a format that a motion cannot be written in is not offered, and says what it needs', async () => {
+  const {tab, context, faults} = await opened([writeBvh('offered.bvh', 5)]);
+  await openTab(tab, 'export');
+  await isShown(tab, '.hindered summary', 'Formats that this cannot be written in: 2');
+  assert.equal(await tab.locator('#export-format option[value="robovie"]').count(), 0);
+  await tab.click('.hindered summary');
+  await isShown(tab, '.hindered li', "'kinefile keyframe' with a servo map");
+  await shot(tab, 'export_offers');
   assert.deepEqual(faults, []);
   await context.close();
 });

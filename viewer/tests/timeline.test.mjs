@@ -461,11 +461,11 @@ test('an original keeps step with what its frames were cut from; who is not ther
   const {tab, faults} = await withPage(t, [bvh]);
   await tab.click('#tab-edit');
   const apply = async (operation, values) => {
-    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+    await tab.click(`.operation:has(code:text-is("${operation}"))`);
     for (const [name, value] of values) await tab.fill(`form [name="${name}"]`, value);
     await tab.click('#panel-edit form button.primary');
     await waitText(tab, '.steps', operation.split('=')[0]);
-    await tab.click(`.operation:has(b:text-is("${operation}"))`);
+    await tab.click(`.operation:has(code:text-is("${operation}"))`);
   };
   const offsets = () => ofAll(tab, '.offset', (all) => all.map(({value}) => Number(value)));
   const presence = () => ofAll(tab, '.presence', (all) => all.map((one) => one.textContent));
@@ -511,7 +511,7 @@ test('a cut takes the range that plays; then all of it plays, and the frame stay
     await press(tab, 'Enter');
   };
   await tab.click('#tab-edit');
-  await tab.click('.operation:has(b:text-is("trim=A:B"))');
+  await tab.click('.operation:has(code:text-is("trim=A:B"))');
   assert.equal(await values(), ',');
   await goTo(20);
   await press(tab, 'i');
@@ -529,7 +529,7 @@ test('a cut takes the range that plays; then all of it plays, and the frame stay
   await waitFrame(tab, 30);
   // What is twice as fast ends sooner: what is shown is there.
   await press(tab, 'End');
-  await tab.click('.operation:has(b:text-is("speed=X"))');
+  await tab.click('.operation:has(code:text-is("speed=X"))');
   await tab.fill('form [name="factor"]', '2');
   await tab.click('#panel-edit form button.primary');
   await waitText(tab, '.steps', 'speed=2');
@@ -561,6 +561,41 @@ test('linked by frame number, motions of two rates show the same frame', async (
   assert.equal(await textOf(tab, '.readout'), '1.200 s', 'of the motion, not of the page');
   await press(tab, 'ArrowRight', 'm');
   assert.equal(await frameOf(tab), 13);
+  assert.deepEqual(faults, []);
+});
+
+test('the strip of ground contacts says what it is', async (t) => {
+  const rows = Array.from({length: 60}, (_, f) => `0 ${f < 30 ? 20 : 60} 0 0 0 0 0 0 0 0 0 0`);
+  const feet = smallBvh(60, ['Hips', 'Leg', 'Foot']).replaceAll('OFFSET 0 ', 'OFFSET 0 -');
+  const [head] = feet.split(/^0 90 /m);
+  const path = fileOf('feet.bvh', `${head}${rows.join('\n')}\n`);
+  const {tab, faults} = await withPage(t, [path]);
+  await tab.waitForSelector('.contact', {state: 'attached'});
+  await waitText(tab, '.track-legend', 'on the ground, darker where several are: Foot');
+  await tab.screenshot({path: join(out, 'timeline-contacts.png')});
+  assert.deepEqual(faults, []);
+});
+
+test('a message at a field of the warp stays in a narrow window', async (t) => {
+  const {tab, faults} = await withPage(t, [bvh], {viewport: {width: 780, height: 620}});
+  await withKey(tab);
+  await tab.selectOption('[data-option="tail"]', 'extend');
+  await tab.fill('.key-number >> nth=0', '500');
+  await press(tab, 'Enter');
+  const isInside = () =>
+    tab.waitForFunction(() => {
+      const fault = document.querySelector('.warp-fault.hangs:not([hidden])');
+      const {left, right} = fault?.getBoundingClientRect() ?? {left: -1, right: 0};
+      return left >= 0 && right <= document.documentElement.clientWidth;
+    });
+  await isInside();
+  await tab.fill('.key-number >> nth=0', '50');
+  await tab.fill('.key-number >> nth=1', '119');
+  await press(tab, 'Enter');
+  await tab.selectOption('[data-option="tail"]', 'keep');
+  await waitText(tab, '.warp-options .warp-fault', 'expected keys before the new frame 119');
+  await isInside();
+  await tab.screenshot({path: join(out, 'timeline-refused-narrow.png')});
   assert.deepEqual(faults, []);
 });
 
@@ -606,6 +641,24 @@ test('a file that is not valid shows its message, a file of another kind its nam
   await waitText(tab, '#files', 'notes.md');
   await tab.click('.file.fault [aria-label="Dismiss"]');
   await tab.waitForSelector('.file.fault', {state: 'detached'});
+  assert.deepEqual(faults, []);
+});
+
+test('a table without a header says at once what is missing', async (t) => {
+  const rows = Array.from({length: 30}, (_, f) =>
+    Array(36)
+      .fill(f / 10)
+      .join(','),
+  ).join('\n');
+  const {tab, faults} = await withPage(t, []);
+  await drop(tab, [fileOf('g1.csv', `${rows}\n`)]);
+  await waitText(
+    tab,
+    '.file.unknown',
+    "g1.csv:1: expected a header of 'time' and names of columns",
+  );
+  await waitText(tab, '#status', 'g1.csv: not a motion file');
+  await tab.screenshot({path: join(out, 'timeline-table.png')});
   assert.deepEqual(faults, []);
 });
 

@@ -70,8 +70,17 @@ test('sentences of the core are in Japanese with what they name, others stay', (
   );
   const flow = readFileSync(new URL('../../examples/wave.txt', import.meta.url));
   core.addFile('wave.txt', flow);
-  const [lacking] = core.ask('open_all', {paths: ['wave.txt']}).opened;
-  assert.match(fromCore(lacking.diagnostics[0].message), /ロボットモデル.*サーボマップ/);
+  const {handle, document: lacking} = core.ask('open', {path: 'wave.txt'});
+  assert.match(fromCore(lacking.lacks), /ロボットモデル.*サーボマップ/);
+  const {hindrances} = core.ask('written_formats', {handle});
+  assert.ok(Object.values(hindrances).every((text) => text === '' || isJapanese(fromCore(text))));
+  const {error} = core.ask('write', {handle, name: 'a.csv', options: {decimals: '99'}});
+  core.addFile('robot.body', readFileSync(new URL('../../examples/robot.body', import.meta.url)));
+  const robot = core.ask('open', {path: 'robot.body'}).handle;
+  for (const text of Object.values(core.ask('written_formats', {handle: robot}).hindrances)) {
+    assert.ok(text === '' || isJapanese(fromCore(text)), text);
+  }
+  assert.equal(fromCore(error.message), 'decimals：0〜30 の整数を入力してください（入力：「99」）');
   const turn = "joint 'Arm' turns by 90 degrees from frame 3 to 4";
   assert.equal(fromCore(turn), '関節「Arm」がフレーム 3 から 4 で 90 度回転します');
   assert.match(fromCore(`${turn} and is back in frame 6`), /フレーム 6 で戻ります/);

@@ -225,15 +225,21 @@ class ColumnSorter {
   std::set<std::pair<ComponentKind, std::string>> known_;               ///< the parts
 };
 
+/// What a table lacks that begins with this field and not with a header; may be empty.
+std::string_view advice_for(std::string_view field) {
+  if (field.find(';') != std::string_view::npos) {
+    return "; commas separate fields, and decimals have points";
+  }
+  const bool is_number = text::parse_number(field).fault == text::NumberFault::None;
+  return is_number ? "; numbers alone do not say what their columns are" : "";
+}
+
 /// Groups columns by component. Empty after an error.
 std::vector<Group> grouped(const TableReader& reader, const std::vector<text::CsvField>& header) {
   if (lowered(header[0].text) != "time" || header.size() < 2) {
     reader.error("CSV002",
                  fmt::format("expected a header of 'time' and names of columns, found {}{}",
-                             text::quoted(header[0].text),
-                             header[0].text.find(';') != std::string::npos
-                                 ? "; commas separate fields, and decimals have points"
-                                 : ""),
+                             text::quoted(header[0].text), advice_for(header[0].text)),
                  header[0].at);
     return {};
   }

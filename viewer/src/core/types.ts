@@ -34,6 +34,9 @@ export interface Channel {
   column: number;
   /** Empty: a part of a quaternion, a scale, a column that moves nothing. */
   measure?: 'length' | 'angle' | '';
+  /** Its limits in its own unit; absent: none. */
+  lower?: number;
+  upper?: number;
 }
 
 /** A way in which a joint of a robot moves; its numbers are in `unit`, absent ones are null. */
@@ -86,6 +89,8 @@ export interface Description {
   options: Record<string, unknown>;
   /** Whether it is known where the figure is: joint values of a robot alone do not say it. */
   has_place: boolean;
+  /** Of a flow that shows its sliders alone: what a figure needs; empty: nothing, or no flow. */
+  lacks: string;
   /** Whether it can be warped: a flow of servo poses has no frames. */
   has_frames: boolean;
   is_robot: boolean;
@@ -186,6 +191,8 @@ export interface OpenedFile {
   what: 'document' | 'companion' | 'waiting' | 'fault' | 'unknown';
   format: string;
   handle: number;
+  /** Whether it is of a format of robots alone. */
+  is_model: boolean;
   diagnostics: Diagnostic[];
   /** How a file at fault opens leniently; null: it does not. */
   leniently: OpeningWords | null;
@@ -288,6 +295,8 @@ export interface Questions {
     ask: {handle: number; name: string; format?: string; options?: OptionWords};
     answer: {files: WrittenFile[]; diagnostics: Diagnostic[]};
   };
+  /** The formats that are written, and why this document cannot be written in some; else empty. */
+  written_formats: {ask: {handle: number}; answer: {hindrances: Record<string, string>}};
   write_poses: {
     ask: {handle: number; name: string; tips?: boolean};
     answer: {files: WrittenFile[]};

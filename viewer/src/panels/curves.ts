@@ -35,10 +35,17 @@ const labelOf = ({key, channel}: Quantity): string => {
   return key;
 };
 
-/** What is plotted before a person has chosen: the value of a joint that has one, or its place. */
+/** So many curves are told apart. */
+const kFewCurves = 6;
+
+/**
+ * What is plotted before a person has chosen: the value of a joint that has one, or its place; the
+ * first values where there is no place.
+ */
 function usualOf(quantities: Quantity[]): Set<string> {
   const own = quantities.filter(({channel}) => channel !== '');
-  return new Set(own.length === 1 ? [own[0].key] : ['x', 'y', 'z']);
+  const isAll = own.length === 1 || own.length === quantities.length;
+  return new Set(isAll ? own.slice(0, kFewCurves).map(({key}) => key) : ['x', 'y', 'z']);
 }
 
 /** Makes the panel. */
@@ -116,13 +123,21 @@ export function makeCurvesPanel({store, core}: PanelContext): HTMLElement {
         values[index],
       ]);
     });
+    const bounds = group.lines.flatMap(({motion, quantity: {limits}, colour}) => {
+      if (motion !== active || limits.every((limit) => limit === undefined)) return [];
+      const [lower, upper] = limits.map((limit) => (limit === undefined ? '' : shortNumber(limit)));
+      const swatch = el('span', {class: 'dash dashed'});
+      swatch.style.borderColor = colour;
+      const text = `${t('limits')} ${lower} … ${upper}`;
+      return [el('span', {class: 'legend-key limits'}, [swatch, text])];
+    });
     const unit = unitOf(group.measure, active);
     const caption = t(`measure_${group.measure}`) + (unit ? ` [${unit}]` : '');
     plots.push({plot, group, values});
     return el('figure', {attributes: {'aria-label': caption}}, [
       el('figcaption', {}, [
         el('h3', {}, [caption]),
-        el('div', {class: several ? 'legend several' : 'legend'}, keys),
+        el('div', {class: several ? 'legend several' : 'legend'}, [...keys, ...bounds]),
       ]),
       plot.root,
     ]);

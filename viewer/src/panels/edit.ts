@@ -12,18 +12,19 @@ import {diagnosticList} from './diagnostic.ts';
 import {type Field, makeField} from './fields.ts';
 import {commandLine, formFor, operationWord, outputName, stepText} from './steps.ts';
 
-/** An operation as the command writes it, after its name in the page's language if it has one. */
-function headOf({name}: OperationInfo, {usage}: OperationForm): HTMLElement {
+/** What an operation is called: its name in the page's language, else what the core says it does. */
+function labelOf({name, help}: OperationInfo): string {
   const own = nameOf('operations', name);
-  if (own === name) return el('b', {}, [usage]);
-  return el('span', {}, [el('b', {}, [own]), ' ', el('code', {}, [usage])]);
+  return own === name ? help : own;
 }
 
-/** The name of a step in the page's language; nothing if that is the command's word. */
-function stepName(step: Step): string[] {
-  const word = 'warp' in step ? 'warp' : step.operation.split('=')[0];
-  const own = nameOf('operations', word);
-  return own === word ? [] : [`${own} `];
+/** What an operation is called, small the command's word, and what it does if that is not said. */
+function headOf(info: OperationInfo, {usage}: OperationForm): HTMLElement[] {
+  const label = labelOf(info);
+  return [
+    el('span', {}, [el('b', {}, [label]), ' ', el('code', {}, [usage])]),
+    ...(label === info.help ? [] : [el('span', {class: 'faint'}, [fromCore(info.help)])]),
+  ];
 }
 
 /** Makes the panel. */
@@ -106,7 +107,7 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
           },
         },
       },
-      [headOf(info, form), el('span', {class: 'faint'}, [fromCore(info.help)])],
+      headOf(info, form),
     );
     const made = el('li', {}, isOpen ? [head, formOf(motion, info, form)] : [head]);
     head.dataset.name = info.name;
@@ -138,6 +139,13 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
     list.replaceChildren(...(items.length > 0 ? items : [el('li', {}, [t('nothing_found')])]));
   };
 
+  const stepName = (step: Step): string => {
+    if ('warp' in step) return t('warp');
+    const [word] = step.operation.split('=');
+    const info = tables.operations.find(({name}) => name === word);
+    return info === undefined ? word : labelOf(info);
+  };
+
   const stepRow = (motion: OpenMotion, index: number, refusal: HTMLElement): HTMLElement => {
     const text = stepText(motion.steps[index]);
     const others = motion.steps.filter((_, other) => other !== index);
@@ -147,8 +155,10 @@ export function makeEditPanel({store, actions, core, tables}: PanelContext): HTM
       {title: t('remove_step', text)},
     );
     remove.setAttribute('aria-label', t('remove_step', text));
-    const name = stepName(motion.steps[index]);
-    return el('li', {}, [el('span', {}, [...name, el('code', {}, [text])]), remove]);
+    return el('li', {}, [
+      el('span', {}, [`${stepName(motion.steps[index])} `, el('code', {}, [text])]),
+      remove,
+    ]);
   };
 
   const drawDone = (state: Readonly<State>) => {

@@ -11,6 +11,7 @@ import {type PanelContext, whileOpen} from './context.ts';
 import {copyButton} from './copying.ts';
 import {diagnosticList} from './diagnostic.ts';
 import {makeField} from './fields.ts';
+import {latestOnly} from './latest.ts';
 import {commandLine, formatOf, outputName, writingOf} from './steps.ts';
 
 /** A name with another extension. */
@@ -20,7 +21,9 @@ const withExtension = (name: string, extension: string): string => stemOf(name) 
 export function makeExportPanel(context: PanelContext): HTMLElement {
   const {store, core, tables, savePicture} = context;
   const root = el('section', {class: 'export-panel scrolled'});
-  const written = tables.formats.filter(({is_written}) => is_written);
+  /** The formats that the active motion can be written in, and why it cannot in others. */
+  let written: FormatInfo[] = [];
+  let hindrances: Record<string, string> = {};
   const withPoses = tables.formats.filter(({writes_poses}) => writes_poses);
   /** What the last conversion said. */
   const told = el('div', {class: 'told', attributes: {role: 'status'}});
@@ -28,7 +31,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
   let name = '';
   /** What was entered for the options of each format. */
   const entered = new Map<string, OptionWords>();
-  const formatNow = (): FormatInfo => written.find((own) => own.name === format)!;
+  const formatNow = () => written.find((own) => own.name === format) as FormatInfo;
   const wordsNow = (): OptionWords => entered.get(format) ?? {};
   const command = (motion: OpenMotion): string =>
     commandLine(motion, name, writingOf(tables, formatNow(), wordsNow()));
@@ -90,6 +93,17 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
         ...fields,
       ]),
     ];
+  };
+
+  /** The formats that are not offered, folded, and what each of them needs. */
+  const hinderedPart = (): HTMLElement[] => {
+    const hindered = tables.formats.filter(({name: own}) => hindrances[own]);
+    if (hindered.length === 0) return [];
+    const rows = hindered.map(({extensions, name: own}) =>
+      el('li', {}, [el('b', {}, [extensions[0]]), ` ${fromCore(hindrances[own])}`]),
+    );
+    const summary = el('summary', {}, [t('not_written_here', hindered.length)]);
+    return [el('details', {class: 'hindered'}, [summary, el('ul', {}, rows)])];
   };
 
   const motionForm = (motion: OpenMotion): HTMLElement => {
@@ -158,6 +172,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
           el('label', {htmlFor: select.id}, [t('export_format')]),
           select,
         ]),
+        ...hinderedPart(),
         el('div', {class: 'field'}, [
           el('label', {htmlFor: nameField.id}, [t('export_name')]),
           nameField,
@@ -182,9 +197,10 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
       return root.replaceChildren(el('p', {class: 'empty'}, [t('no_motion')]));
     }
     const own = formatOf(tables, motion.document);
-    if (!written.some((one) => one.name === format)) format = own?.is_written ? own.name : 'bvh';
+    const usual = written.find((one) => one === own) ?? written[0];
+    if (!written.some((one) => one.name === format)) format = usual?.name ?? '';
     const isAsRead = format === own?.name;
-    const [first] = formatNow().extensions;
+    const first = formatNow()?.extensions[0] ?? '';
     name = outputName(motion, isAsRead ? extensionOf(motion.document.path) : first);
     const tablesOfPoses = withPoses.map((one) =>
       button(one.extensions[0].slice(1).toUpperCase(), () => savePoses(motion, one), {
@@ -199,10 +215,14 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
             el('div', {class: 'bar'}, [button('PNG', () => savePicture())]),
           ];
     root.replaceChildren(
-      motionForm(motion),
-      el('h2', {}, [t('export_positions')]),
-      el('p', {class: 'hint'}, [t('export_positions_help')]),
-      el('div', {class: 'bar'}, tablesOfPoses),
+      ...(written.length > 0 ? [motionForm(motion)] : hinderedPart()),
+      ...(motion.document.lacks === ''
+        ? [
+            el('h2', {}, [t('export_positions')]),
+            el('p', {class: 'hint'}, [t('export_positions_help')]),
+            el('div', {class: 'bar'}, tablesOfPoses),
+          ]
+        : []),
       ...pictures,
       el('h2', {}, [t('export_source')]),
       el('p', {class: 'hint'}, [t('export_source_help')]),
@@ -214,6 +234,18 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
     );
   };
 
+  /** Asks what the motion can be written in, and draws. */
+  const update = latestOnly<Readonly<State>>(async (state) => {
+    const motion = activeMotion(state);
+    if (motion === undefined) return draw(state);
+    const answer = await core.ask('written_formats', {handle: motion.handle});
+    const now = activeMotion(store.state);
+    if (isFailure(answer) || now?.document !== motion.document) return;
+    hindrances = answer.hindrances;
+    written = tables.formats.filter(({name: own}) => hindrances[own] === '');
+    draw(store.state);
+  });
+
   let drawnFor: unknown[] = [];
   whileOpen(store, 'export', ['motions', 'active', 'language'], (state) => {
     const motion = activeMotion(state);
@@ -224,7 +256,7 @@ export function makeExportPanel(context: PanelContext): HTMLElement {
       told.replaceChildren();
     }
     drawnFor = wanted;
-    draw(state);
+    update(state);
   });
   return root;
 }

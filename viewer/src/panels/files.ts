@@ -5,7 +5,7 @@ import type {Actions} from '../actions.ts';
 import type {OpenedFile} from '../core/types.ts';
 import {button, byId, el} from '../elements.ts';
 import {inOrder} from '../paths.ts';
-import type {Store} from '../state.ts';
+import type {State, Store} from '../state.ts';
 import {fromCore, t} from '../words.ts';
 import {iconButton} from './icons.ts';
 import {kPhone} from './warp.ts';
@@ -32,6 +32,12 @@ export function commonFolder(paths: string[]): string {
   return first.slice(0, length);
 }
 
+/** With what each open motion was read, as texts to compare. */
+const openingsOf = ({motions}: Readonly<State>): string[] =>
+  motions.map(({document: {path, skeleton, servo_map, project, options}}) =>
+    JSON.stringify([path, skeleton, servo_map, project, options]),
+  );
+
 /** Makes the list of files that are not open. */
 export function makeFileList(store: Store, actions: Actions): void {
   const list = byId('files');
@@ -40,14 +46,26 @@ export function makeFileList(store: Store, actions: Actions): void {
   const dismissal = (gone: OpenedFile[]) =>
     iconButton('close', () => dismiss(gone), {title: t('dismiss'), class: 'plain'});
 
+  /** What was open when each file was refused. */
+  const refusedBeside = new WeakMap<OpenedFile, Set<string>>();
+
+  /** Whether something was opened, or read otherwise, since a file was refused. */
+  const mayOpenNow = (file: OpenedFile): boolean => {
+    const before = refusedBeside.get(file);
+    return before !== undefined && openingsOf(store.state).some((text) => !before.has(text));
+  };
+
   const fault = (file: OpenedFile): HTMLElement => {
     const {path, leniently} = file;
-    const again =
-      leniently === null
-        ? button(t('try_again'), () => actions.openListed([path]))
-        : button(t('open_leniently'), () => actions.repair(file), {title: t('lenient_help')});
+    const again = () => button(t('try_again'), () => actions.openListed([path]));
+    const repair = () =>
+      button(t('open_leniently'), () => actions.repair(file), {title: t('lenient_help')});
     return el('li', {class: 'file fault'}, [
-      el('div', {class: 'file-head'}, [el('b', {title: path}, [path]), again, dismissal([file])]),
+      el('div', {class: 'file-head'}, [
+        el('b', {title: path}, [path]),
+        ...(leniently !== null ? [repair()] : mayOpenNow(file) ? [again()] : []),
+        dismissal([file]),
+      ]),
       el('p', {}, [reasonOf(file)]),
     ]);
   };
@@ -55,18 +73,19 @@ export function makeFileList(store: Store, actions: Actions): void {
   // On a phone the list would hide the figure.
   let isUnfolded = !kPhone.matches;
 
-  /** The motions of a folder that are not open, one click each. */
+  /** The motions and robots of a folder that are not open, one click each. */
   const waitingList = (waiting: OpenedFile[]): HTMLElement => {
     const paths = inOrder(waiting.map(({path}) => path));
     const numOpen = new Set(store.state.motions.map(({document}) => document.path)).size;
     const folder = commonFolder(paths);
+    const here = waiting.some((file) => file.is_model) ? 'robots_here' : 'motions_here';
     const row = (path: string) =>
       button(path.slice(folder.length), () => actions.openListed([path]), {title: path});
     const section = el('details', {class: 'waiting', open: isUnfolded}, [
-      el('summary', {title: folder}, [t('motions_here', numOpen + paths.length, numOpen)]),
+      el('summary', {title: folder}, [t(here, numOpen + paths.length, numOpen)]),
       el(
         'ul',
-        {ariaLabel: t('motions_not_open')},
+        {ariaLabel: t('files')},
         paths.map((path) => el('li', {}, [row(path)])),
       ),
       el('p', {class: 'group'}, [
@@ -111,8 +130,11 @@ export function makeFileList(store: Store, actions: Actions): void {
     const [waiting, faults, unknown] = [of('waiting'), of('fault'), of('unknown')];
     // What is scrolled to and unfolded stays while motions move.
     const isSame = !changed.has('files') && !changed.has('language');
-    const numOpen = String(store.state.motions.length);
-    if (isSame && (waiting.length === 0 || list.dataset.open === numOpen)) return;
+    for (const file of faults) {
+      if (!refusedBeside.has(file)) refusedBeside.set(file, new Set(openingsOf(store.state)));
+    }
+    const numOpen = `${waiting.length && store.state.motions.length} ${faults.map(mayOpenNow)}`;
+    if (isSame && list.dataset.open === numOpen) return;
     const {scrollTop = 0} = list.querySelector('.waiting ul') ?? {};
     list.dataset.open = numOpen;
     const isOnly = files.length === 1 && store.state.motions.length === 0;

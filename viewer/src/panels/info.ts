@@ -40,7 +40,7 @@ function factsOf(document: Description, front: HTMLElement): Fact[] {
   const facts: Fact[] = [
     [t('fact_file'), document.path],
     [t('fact_kind'), t(`kind_${document.kind}`)],
-    [t('fact_joints'), String(document.joints.length)],
+    ...(document.lacks === '' ? [[t('fact_joints'), String(document.joints.length)] as Fact] : []),
     [t('fact_channels'), String(document.num_coordinates)],
   ];
   if (!time.is_still) {
@@ -51,6 +51,7 @@ function factsOf(document: Description, front: HTMLElement): Fact[] {
       [t('fact_duration'), `${shortNumber(time.duration)} s`],
     );
   }
+  if (document.lacks !== '') return facts;
   const name = unitName(unit.metres);
   const size = name === null ? `${shortNumber(unit.metres)} m` : `1 ${name}`;
   facts.push(
@@ -186,6 +187,7 @@ export function makeInfoPanel(context: PanelContext): HTMLElement {
       factList(factsOf(motion.document, frontField(motion))),
       el('ul', {class: 'sentences'}, [
         ...motion.document.facts.map((fact) => el('li', {}, [fromCore(fact), ...hintsOf(fact)])),
+        ...(motion.document.lacks ? [el('li', {}, [fromCore(motion.document.lacks)])] : []),
         ...(motion.document.has_place ? [] : [el('li', {}, [t('stands_at_origin')])]),
       ]),
       ...companions(motion),

@@ -10,6 +10,8 @@ export interface Line {
   label: string;
   colour: string;
   dash: number[];
+  /** Values that it should not pass: dashed lines. */
+  limits: number[];
 }
 
 /** A part of the x axis. */
@@ -28,6 +30,37 @@ export interface PlotEvents {
   seek(x: number): void;
   zoom(range: Range): void;
   reset(): void;
+}
+
+/** Limits that are further off than so many times the reach of the values are not in the picture. */
+const kFarLimit = 2;
+
+/** The part of the y axis that shows values, and their limits unless these are far off. */
+function rangeOfY(lines: Line[], min: number | null, max: number | null): [number, number] {
+  if (min === null || max === null) return [0, 1];
+  const far = max > min ? kFarLimit * (max - min) : Infinity;
+  const limits = lines.flatMap((line) => line.limits);
+  const near = limits.filter((limit) => limit >= min - far && limit <= max + far);
+  const [low, high] = uPlot.rangeNum(Math.min(min, ...near), Math.max(max, ...near), 0.1, true);
+  return [low ?? 0, high ?? 1];
+}
+
+function drawLimits({ctx, bbox, valToPos}: uPlot, lines: Line[]): void {
+  ctx.save();
+  ctx.lineWidth = devicePixelRatio;
+  ctx.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
+  for (const {limits, colour} of lines) {
+    ctx.strokeStyle = colour;
+    for (const limit of limits) {
+      const y = valToPos(limit, 'y', true);
+      if (y < bbox.top || y > bbox.top + bbox.height) continue;
+      ctx.beginPath();
+      ctx.moveTo(bbox.left, y);
+      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.stroke();
+    }
+  }
+  ctx.restore();
 }
 
 /** Until the plot is laid out. */
@@ -63,7 +96,10 @@ export function makePlot(
       ...kFirstSize,
       legend: {show: false},
       cursor: {drag: {setScale: false, x: false, y: false}, y: false, points: {size: 6}},
-      scales: {x: {time: false, range: () => range}},
+      scales: {
+        x: {time: false, range: () => range},
+        y: {range: (_, min, max) => rangeOfY(lines, min, max)},
+      },
       axes: [axis({size: 26, space: 50}), axis({size: 48, space: 26})],
       series: [
         {},
@@ -75,7 +111,7 @@ export function makePlot(
           points: {show: false},
         })),
       ],
-      hooks: {draw: [place], setSize: [place]},
+      hooks: {draw: [place, (own) => drawLimits(own, lines)], setSize: [place]},
     },
     data,
     root,

@@ -106,6 +106,7 @@ export async function plottedGroups(
           ? lineColour('xyz'.indexOf(quantity.key), n, dark)
           : readableColour(motion.colour, dark),
         dash: isAlone ? [] : kDashes[n % kDashes.length],
+        limits: motion === active ? quantity.limits.filter((limit) => limit !== undefined) : [],
         motion,
         quantity,
         values,

@@ -114,7 +114,12 @@ export function makeReadout({store, core}: PanelContext): HTMLElement {
     const found = answer.dofs ?? [];
     parts.replaceChildren(
       ...ways.flatMap((dof, index) => (index in found ? [dofTable(dof, found[index])] : [])),
-      ...(channels.length > 0 ? tables : [tables[0], tables[2]]),
+      // What has no figure has no place.
+      ...(document.lacks !== ''
+        ? [tables[1]]
+        : channels.length > 0
+          ? tables
+          : [tables[0], tables[2]]),
     );
   };
 

@@ -14,24 +14,35 @@ export interface Quantity {
   measure: Measure;
   /** The channel's name; empty for what the core computes. */
   channel: string;
+  /** How low and how high a joint may go; undefined: as it likes. */
+  limits: (number | undefined)[];
 }
 
+const computed = (key: string, measure: Measure): Quantity => ({
+  key,
+  measure,
+  channel: '',
+  limits: [],
+});
 const kComputed: Quantity[] = [
-  {key: 'x', measure: 'length', channel: ''},
-  {key: 'y', measure: 'length', channel: ''},
-  {key: 'z', measure: 'length', channel: ''},
-  {key: 'speed', measure: 'speed', channel: ''},
-  {key: 'angular_speed', measure: 'angular_speed', channel: ''},
+  computed('x', 'length'),
+  computed('y', 'length'),
+  computed('z', 'length'),
+  computed('speed', 'speed'),
+  computed('angular_speed', 'angular_speed'),
 ];
 
 /** What can be plotted of a joint. */
 export const quantitiesOf = (document: Description, joint: number): Quantity[] => [
-  ...kComputed,
-  ...(document.joints[joint]?.channels ?? []).map(({name, measure}) => ({
-    key: `channel:${name}`,
-    measure: measure || ('other' as const),
-    channel: name,
-  })),
+  ...(document.lacks === '' ? kComputed : []),
+  ...(document.joints[joint]?.channels ?? []).map(
+    ({name, measure, lower, upper}): Quantity => ({
+      key: `channel:${name}`,
+      measure: measure || 'other',
+      channel: name,
+      limits: [lower, upper],
+    }),
+  ),
 ];
 
 type Curves = Questions['curves']['answer'];
@@ -74,7 +85,7 @@ export function makeSeriesCache(core: Core): SeriesCache {
       return isFailure(answer) ? null : answer.values;
     });
 
-  const computed = async (motion: OpenMotion, joint: number, key: string) => {
+  const asked = async (motion: OpenMotion, joint: number, key: string) => {
     const curves = await curvesOf(motion, joint);
     if (curves === null) return null;
     if (key === 'speed') return curves.speeds;
@@ -85,7 +96,7 @@ export function makeSeriesCache(core: Core): SeriesCache {
   return {
     values(motion, joint, {key, channel}) {
       if (channel === '') {
-        return once(`${prefixOf(motion)}${joint}:${key}`, () => computed(motion, joint, key));
+        return once(`${prefixOf(motion)}${joint}:${key}`, () => asked(motion, joint, key));
       }
       const own = motion.document.joints[joint].channels?.find(({name}) => name === channel);
       return own === undefined ? Promise.resolve(null) : columnOf(motion, own.column);

@@ -65,7 +65,8 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     unit = unit === 'frames' ? 'seconds' : 'frames';
     draw();
   });
-  byId('time').append(el('div', {class: 'track-holder'}, [drawing, unitButton]), note);
+  const legend = el('p', {class: 'track-legend', hidden: true});
+  byId('time').append(el('div', {class: 'track-holder'}, [drawing, unitButton]), legend, note);
   let width = 300;
   let height = 60;
 
@@ -206,6 +207,17 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
     }
   };
 
+  /** What the strip along the active motion's bar is. */
+  const drawLegend = (motion: OpenMotion) => {
+    const {joints} = motion.document;
+    const names = new Set(marks.contacts.map(({joint}) => joints[joint]?.name ?? ''));
+    legend.hidden = names.size === 0;
+    legend.replaceChildren(
+      el('span', {class: 'contact-swatch'}),
+      t('contact_legend', [...names].join(', ')),
+    );
+  };
+
   const draw = () => {
     const {motions, active} = store.state;
     const motion = activeMotion(store.state);
@@ -239,6 +251,7 @@ export function makeTrack(store: Store, axis: TimeAxis, marks: Marks): void {
       svg('path', {class: 'head', d: 'M-6 18h12v4l-6 6-6-6z'}),
     );
     movePlayhead();
+    drawLegend(motion);
   };
   playhead.setAttribute('class', 'playhead');
 

@@ -21,6 +21,9 @@ const kEases = ['smooth', 'smoother', 'in', 'out', 'in-out', 'in:3', 'bezier:0.4
 /** The message that the fields are described by. */
 const kFault = 'warp-fault';
 
+/** A message stays so far away from the window's edges, in pixels. */
+const kEdge = 8;
+
 /** What the controls do with keys. */
 export interface KeyActions {
   add(): void;
@@ -185,6 +188,17 @@ export function makeWarpControls(
     if (!kNotControls.has(option.name)) addControl(option);
   }
 
+  /** Moves what hangs at a field to the left, as far as the window's edge asks for. */
+  const keepInside = () => {
+    fault.style.left = '';
+    if (fault.hidden || !fault.classList.contains('hangs')) return;
+    const {left, right} = fault.getBoundingClientRect();
+    const edge = document.documentElement.clientWidth - kEdge;
+    const over = Math.min(right - edge, left - kEdge);
+    if (over > 0) fault.style.left = `${fault.offsetLeft - over}px`;
+  };
+  window.addEventListener('resize', keepInside);
+
   /** Shows what is wrong at the field that it is about; else over the map. */
   const showFault = (key: Key | undefined) => {
     const refused = controls.filter(({option}) => warping.refusedOptions.includes(option.name));
@@ -205,6 +219,7 @@ export function makeWarpControls(
     const place = option?.closest<HTMLElement>('.warp-field') ?? ofKey;
     if (fault.parentElement !== place) place.append(fault);
     fault.classList.toggle('hangs', place !== notes && !moreOptions.contains(place));
+    keepInside();
   };
 
   const show = () => {

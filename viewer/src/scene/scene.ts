@@ -5,7 +5,7 @@ import * as THREE from 'three';
 import type {Core} from '../core/core.ts';
 import {byId} from '../elements.ts';
 import type {FramePoses, PoseCache} from '../poses.ts';
-import {activeMotion, type Front, type Store} from '../state.ts';
+import {activeMotion, type Front, type OpenMotion, type Store} from '../state.ts';
 import {makeAxes} from './axes.ts';
 import {type Cameras, type Cover, isStraight, makeCameras, type View} from './cameras.ts';
 import {makeContacts} from './contacts.ts';
@@ -54,6 +54,10 @@ const kFloorReach = 14;
 /** The room around a figure that is followed, relative to its size. */
 const kRoom = 0.25;
 
+/** Those of the motions that have a figure. */
+const withFigures = (motions: readonly OpenMotion[]): OpenMotion[] =>
+  motions.filter(({document}) => document.lacks === '');
+
 /** Makes the scene; throws where the browser has no WebGL. */
 export function makeScene(
   canvas: HTMLCanvasElement,
@@ -88,7 +92,7 @@ export function makeScene(
   const ghosts = makeGhosts(layer());
   const paths = makePaths(core, layer(), invalidate);
   const offerAgain = () => {
-    offers.update(store.state.motions, figures);
+    offers.update(withFigures(store.state.motions), figures);
     invalidate();
   };
   const contacts = makeContacts(core, layer(), offerAgain);
@@ -219,11 +223,12 @@ export function makeScene(
     lastDraw = now;
     isDirty = isDrawing = false;
     if (isOnTheWay) invalidate();
-    offers.update(store.state.motions, figures);
+    offers.update(withFigures(store.state.motions), figures);
   }
 
   const place = () => {
-    const {motions, shown} = store.state;
+    const {shown} = store.state;
+    const motions = withFigures(store.state.motions);
     figures.update(motions, offsetsOf(motions, starts), shown.shapes);
     ghosts.useShapes(shown.shapes);
     figures.wholeBox(whole);
@@ -239,7 +244,7 @@ export function makeScene(
   store.on(['motions', 'shown', 'active'], ({motions, active}) => {
     place();
     // Where a motion is new, or stands elsewhere or otherwise than before, all is framed again.
-    const now = motions.map(({handle, placement, document}) =>
+    const now = withFigures(motions).map(({handle, placement, document}) =>
       [handle, placement, document.up.axis, document.unit.metres].join(),
     );
     const isKnown = now.every((text) => known.includes(`${text};`));
@@ -250,7 +255,7 @@ export function makeScene(
     if (isTurned) mustFrame = 'anew';
     front = {handle: active, of: own?.front ?? null};
     known = now.map((text) => `${text};`).join('');
-    offers.update(store.state.motions, figures);
+    offers.update(withFigures(store.state.motions), figures);
   });
   store.on(['seconds'], request);
   store.on(['camera'], ({camera}) => {
@@ -290,7 +295,9 @@ export function makeScene(
     stage.renderer.setSize(width, height, false);
     cameras.resize(width, height);
     if (!wasMoved) frameAll();
-    invalidate();
+    // At once: a canvas of another size is blank until it is drawn.
+    isDirty = true;
+    draw(performance.now());
   }).observe(byId('stage'));
 
   return {

@@ -16,10 +16,45 @@ ComponentSize size_of(const Component& component) {
   return {component.num_frames, component.num_parts, rate > 0 && std::isfinite(rate) ? rate : 0};
 }
 
-/// A component as a motion whose parts are named by number, because not every file names them.
-Motion motion_by_numbers(Component component) {
-  component.part_names.clear();
-  return robot::motion_of_component(component);
+/// Parts that are compared at a time, so that motions of them stay small.
+constexpr std::size_t kPartsAtOnce = 4096;
+
+/// Some parts of a component as a motion. They are named by number, because not every file names
+/// them.
+Motion motion_of_parts(const Component& component, std::size_t first, std::size_t count) {
+  Component unnamed;
+  unnamed.kind = component.kind;
+  unnamed.content = component.content;
+  unnamed.is_root_relative = component.is_root_relative;
+  Component parts = unnamed;
+  parts.pose_form = component.pose_form;
+  parts.num_parts = count;
+  parts.num_frames = component.num_frames;
+  parts.timeline = component.timeline;
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.part_names.push_back(robot::name_of_part(unnamed, first + i));
+  }
+  const std::size_t width = component.width();
+  parts.values.reserve(component.num_frames * count * width);
+  for (std::size_t f = 0; f < component.num_frames; ++f) {
+    parts.values.append(component.row(f).subspan(first * width, count * width));
+  }
+  return robot::motion_of_component(parts);
+}
+
+void keep_larger(const LargestDifference& other, LargestDifference& largest) {
+  if (largest.joint.empty() || other.value > largest.value) largest = other;
+}
+
+/// Compares components of one size.
+void compare_values(const Component& a, const Component& b, ComponentDifference& difference) {
+  for (std::size_t first = 0; first < a.num_parts; first += kPartsAtOnce) {
+    const std::size_t count = std::min(kPartsAtOnce, a.num_parts - first);
+    const MotionComparison comparison =
+        compare_motions(motion_of_parts(a, first, count), motion_of_parts(b, first, count));
+    keep_larger(comparison.distance, difference.distance);
+    if (a.kind == ComponentKind::Poses) keep_larger(comparison.rotation, difference.rotation);
+  }
 }
 
 ComponentDifference difference_of(const Component& a, const Component& b, double tolerance) {
@@ -33,10 +68,8 @@ ComponentDifference difference_of(const Component& a, const Component& b, double
   difference.has_same_times = have_same_times(a.timeline, b.timeline);
   difference.is_different = !difference.has_one_size;
   if (!difference.has_one_size) return difference;
-  const MotionComparison comparison = compare_motions(motion_by_numbers(a), motion_by_numbers(b));
-  difference.distance = comparison.distance;
-  if (a.kind == ComponentKind::Poses) difference.rotation = comparison.rotation;
-  difference.is_different = comparison.distance.value > tolerance || !difference.has_same_times ||
+  compare_values(a, b, difference);
+  difference.is_different = difference.distance.value > tolerance || !difference.has_same_times ||
                             a.is_root_relative != b.is_root_relative;
   return difference;
 }

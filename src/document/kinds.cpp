@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "base/words.hpp"
 #include "document/conventions.hpp"
@@ -86,25 +89,30 @@ robot::RobotNames names_of(const KindOptions& options) {
   return names;
 }
 
-bool has_joint(const Skeleton& skeleton, const std::string& name) {
-  return std::any_of(skeleton.joints.begin(), skeleton.joints.end(),
-                     [&name](const Joint& joint) { return lowered(joint.name) == lowered(name); });
+/// The names of a robot's links and joints.
+std::set<std::string_view> names_of_parts(const Skeleton& robot) {
+  std::set<std::string_view> names;
+  for (const Joint& joint : robot.joints) {
+    names.insert(joint.name);
+    if (!joint.joint_name.empty()) names.insert(joint.joint_name);
+  }
+  return names;
 }
 
 /// \errors CNV007 (Usage) if a name in an entry of the map is not a link or joint of the robot, or
 /// not a joint of the figure
 Result<void> expect_known(const robot::RobotNames& names, const Skeleton& figure,
                           const Skeleton& robot) {
+  const std::set<std::string_view> parts = names_of_parts(robot);
+  std::set<std::string> joints;
+  for (const Joint& joint : figure.joints) joints.insert(lowered(joint.name));
   for (const auto& [name, source] : names.source_of) {
-    const bool is_link =
-        std::any_of(robot.joints.begin(), robot.joints.end(), [&key = name](const Joint& joint) {
-          return joint.name == key || (!joint.joint_name.empty() && joint.joint_name == key);
-        });
-    if (is_link && has_joint(figure, source)) continue;
+    const bool is_part = parts.contains(name);
+    if (is_part && joints.contains(lowered(source))) continue;
     return fail(ErrorKind::Usage, "CNV007",
                 fmt::format("the line '{}: {}' of the map has no effect: there is no {} '{}'", name,
-                            source, is_link ? "joint of the motion" : "link or joint of the robot",
-                            is_link ? source : name));
+                            source, is_part ? "joint of the motion" : "link or joint of the robot",
+                            is_part ? source : name));
   }
   return {};
 }

@@ -174,18 +174,21 @@ def fault_of_file(path, folder, words):
     """What is wrong with a file that was written; nothing if it can be read."""
     data = path.read_bytes()
     name = str(path.relative_to(folder))
+    asked = words[words.index("--to") + 1] if "--to" in words else ""
     if path.suffix == ".html":
         return b"</html>" not in data and "a page without an end"
-    if path.suffix == ".json":
+    if asked == "json" or (not asked and path.suffix == ".json"):
         json.loads(data)
         return None
-    if path.suffix == ".csv":
+    if asked == "csv" or (not asked and path.suffix == ".csv"):
         return fault_of_table(data.decode())
     if path.suffix in (".yaml", ".dot") and not data.startswith((b"type:", b"{")):
         return None  # a servo map
     if path.suffix == ".txt" and b"_\0M\0" not in data and b"_MOTION_FORMAT" not in data:
         return None  # what was printed, in a file of this name
     given = [word for word in ("--lenient",) if word in words]
+    if asked and not (asked == "amc" and path.suffix == ".asf"):
+        given += ["--from", asked]
     done = run(["info", *given, "--", name], folder)
     return done.returncode != 0 and done.stderr.decode(errors="replace")
 

@@ -18,7 +18,7 @@ using namespace kinefile;
 using namespace kinefile::fuzz;
 
 /// Conversions of more numbers than this would take too long for one input.
-constexpr std::size_t kMaxValues = 20'000;
+constexpr std::size_t kMaxValues = 5'000;
 
 /// What the inputs of this process came to, which is printed at its end.
 struct Counts {

@@ -3,7 +3,7 @@
 """fuzz/make_seeds.py FOLDER: the inputs from which journey_fuzz makes its mutants, written into FOLDER. They
 are the files of fuzz/seeds, examples/ and the fixtures of tests/formats, each with what lies beside it, as
 fuzz/folder.hpp reads them; and real files, where the variable KINEFILE_TEST_DATA names their folder, cut to
-32 KB. Real files get into no repository: FOLDER is below build/."""
+8 KB. Real files get into no repository: FOLDER is below build/."""
 
 import hashlib
 import os
@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BORDER = b"\xfe\xfe\xfe\xfe"
-MOST = 32 * 1024
+MOST = 8 * 1024
 DETECTED = 0  # by content and name; otherwise the number of a format
 READ = (".bvh", ".asf", ".amc", ".seq", ".body", ".urdf", ".wrl", ".csv", ".pos", ".waist", ".zmp", ".txt", ".motion")
 PARTS = (".waist", ".hip", ".zmp", ".pos")
@@ -22,7 +22,7 @@ PARTS = (".waist", ".hip", ".zmp", ".pos")
 def cut_bvh(data):
     """The first frames of a motion that is too long, and their count."""
     head, line, rows = data.partition(b"Frame Time:")
-    if not line or len(head) > MOST - 4000:
+    if not line or len(head) > MOST - 1000:
         return data[:MOST]
     kept = rows[:MOST - len(head)].split(b"\n")[:-1]
     head = re.sub(rb"Frames:\s*\d+", b"Frames: %d" % (len(kept) - 1), head)

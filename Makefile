@@ -7,7 +7,7 @@ TORTURE_SECONDS ?= 3600
 # 0: the demo makes no page, and needs nothing for it.
 WEB ?= 1
 
-.PHONY: help demo web test bench install fuzz torture lint format clean
+.PHONY: help demo web test bench install fuzz coverage torture lint format clean
 
 help:
 	@echo 'make demo     build kinefile and show what it does on a walk that it makes itself'
@@ -15,7 +15,8 @@ help:
 	@echo 'make test     build and run all tests; what CI runs'
 	@echo 'make bench    measure against named baselines in one run'
 	@echo 'make install  install the command, the library, the man page (PREFIX=$(PREFIX))'
-	@echo 'make fuzz     fuzz the readers (FUZZ_SECONDS=$(FUZZ_SECONDS))'
+	@echo 'make fuzz     fuzz readers, conversions and command lines (FUZZ_SECONDS=$(FUZZ_SECONDS) each)'
+	@echo 'make coverage how much of each reader the inputs of the fuzzers run'
 	@echo 'make torture  faults of the machine, one seed after the other (TORTURE_SECONDS=$(TORTURE_SECONDS))'
 	@echo 'make lint     clang-tidy over the library and the command'
 	@echo 'make format   lay out the code with clang-format'
@@ -51,6 +52,10 @@ fuzz:
 	@tools/setup.sh test
 	@tools/build.sh fuzz
 	@tools/fuzz.sh $(FUZZ_SECONDS)
+
+coverage:
+	@tools/setup.sh test
+	@tools/coverage.sh
 
 torture:
 	@tools/setup.sh test

@@ -1,43 +1,59 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # tools/fuzz.sh SECONDS: runs every fuzz target for so long, two at a time, from the fixtures and
-# what earlier runs found. Inputs that break something are left in build/fuzz/TARGET.
+# what earlier runs found, and then random command lines. Inputs that break something are left in
+# build/fuzz/TARGET. Where KINEFILE_TEST_DATA names a folder, mutants are made of its files, too.
+# FUZZ_TARGETS names single ones. 0 seconds run what is there, and look for nothing new.
 set -eu
 
-seconds=$1
-run_target() {
-  target=$1
-  format=$2
-  folder=build/fuzz/$target
+# Each line: a target, the folders that its inputs are made from, its dictionary.
+targets='
+journey_fuzz         build/fuzz/journey_fuzz/seeds,fuzz/found  all
+bvh_read_fuzz        tests/formats/bvh         bvh
+bvh_round_trip_fuzz  tests/formats/bvh         bvh
+asf_read_fuzz        tests/formats/acclaim     asf
+amc_read_fuzz        tests/formats/acclaim     amc
+seq_read_fuzz        tests/formats/choreonoid  seq
+yaml_differential_fuzz  tests/formats/choreonoid  seq
+body_read_fuzz       tests/formats/body        body
+urdf_read_fuzz       tests/formats/urdf        urdf
+wrl_read_fuzz        tests/formats/wrl         wrl
+table_read_fuzz      tests/formats/csv         csv
+robovie_read_fuzz    tests/formats/robovie     robovie
+flow_run_fuzz        tests/formats/robovie     robovie
+servo_map_fuzz       tests/formats/servo_map   seq
+command_lines        -                         -
+'
+
+run_fuzzer() {
+  folder=build/fuzz/$1
   mkdir -p "$folder/corpus"
-  fixtures=$(find "tests/formats/$format" -type d)
-  # shellcheck disable=SC2086 # one word a folder
-  if build/sanitize/fuzz/"$target" -max_total_time="$seconds" -max_len=16384 -timeout=10 \
-    -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/" \
-    "$folder/corpus" $fixtures >"$folder/log" 2>&1; then
+  words=build/fuzz/$1/words.dict
+  if [ "$3" = all ]; then cat fuzz/dictionaries/*.dict >"$words"; else cp "fuzz/dictionaries/$3.dict" "$words"; fi
+  # shellcheck disable=SC2046 # one word a folder
+  limit=-max_total_time=$seconds
+  [ "$seconds" != 0 ] || limit=-runs=0
+  if "${FUZZ_BUILD:-build/sanitize}/fuzz/$1" "$limit" -max_len=32768 -timeout=10 \
+    -rss_limit_mb=2048 -print_final_stats=1 -dict="$words" -artifact_prefix="$folder/" \
+    "$folder/corpus" $(find $(echo "$2" | tr ',' ' ') -type d) >"$folder/log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
-    echo "$target: $runs executions in $seconds s, nothing found"
+    echo "$1: $runs executions in $seconds s, nothing found"
+    sed -n '/^journey: /p' "$folder/log"
   else
     tail -n 40 "$folder/log" >&2
     return 1
   fi
 }
 
-failed=0
-run_pair() {
-  run_target "$1" "$2" &
-  first=$!
-  run_target "$3" "$4" &
-  second=$!
-  wait $first || failed=1
-  wait $second || failed=1
-}
-
-run_pair bvh_read_fuzz bvh bvh_round_trip_fuzz bvh
-run_pair asf_read_fuzz acclaim amc_read_fuzz acclaim
-run_pair seq_read_fuzz choreonoid yaml_differential_fuzz choreonoid
-run_pair body_read_fuzz body urdf_read_fuzz urdf
-run_pair wrl_read_fuzz wrl table_read_fuzz csv
-run_pair robovie_read_fuzz robovie flow_run_fuzz robovie
-run_target servo_map_fuzz servo_map || failed=1
-exit $failed
+seconds=$1
+shift
+if [ $# -eq 0 ]; then
+  rm -rf build/fuzz/journey_fuzz/seeds
+  python3 fuzz/make_seeds.py build/fuzz/journey_fuzz/seeds >/dev/null
+  echo "$targets" | grep -E "^(${FUZZ_TARGETS:-[a-z_]*}) " | xargs -P 2 -L 1 "$0" "$seconds"
+elif [ "$1" = command_lines ]; then
+  [ "$seconds" = 0 ] ||
+    python3 fuzz/command_lines.py --kinefile build/sanitize/kinefile --seconds "$seconds" --jobs 1
+else
+  run_fuzzer "$@"
+fi

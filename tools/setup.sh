@@ -15,7 +15,7 @@ demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-de
   zlib1g-dev'
 web="$demo emscripten"
 bench="$demo libbenchmark-dev libyaml-dev python3"
-test="$bench chromium fonts-vlgothic valgrind googletest clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+test="$bench chromium fonts-vlgothic valgrind googletest clang-14 llvm-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten"
 
 demo_tools='cmake ninja c++'

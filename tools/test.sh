@@ -25,7 +25,7 @@ say "The same tests under the address and undefined behaviour sanitizers"
 tools/build.sh asan
 ctest --test-dir build/sanitize --output-on-failure
 
-say "Fuzzing each reader for a while"
+say "Fuzzing each reader for a while, conversions of mutants, and random command lines"
 tools/fuzz.sh "${FUZZ_SECONDS:-8}"
 
 say "The core for the browser: its unit tests under Node"

@@ -4,9 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+<<<<<<< HEAD
 #include <set>
 #include <string>
 #include <string_view>
+=======
+#include <optional>
+#include <string>
+#include <vector>
+>>>>>>> fuzz
 
 #include "base/words.hpp"
 #include "document/conventions.hpp"
@@ -228,12 +234,54 @@ bool takes_flows_alone(const Conventions& conventions) {
   return writes.flows && !writes.motions && !writes.skeletons && !writes.body_motions;
 }
 
+/// Why a format does not read a table of these columns as the components that they are; nothing if
+/// it does, or reads no tables.
+std::optional<std::string> fault_of_columns(const Format& format, const Motion& columns,
+                                            const BodyMotion& body) {
+  if (format.read == nullptr) return std::nullopt;
+  Document row;  // of zeros: only the names matter
+  row.content = Motion{columns.skeleton, {1, columns.clip.num_coordinates, {}, {FrameRate{1}, 0}}};
+  std::get<Motion>(row.content).clip.values.resize(columns.clip.num_coordinates);
+  std::string text;
+  const Sink sink = [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  };
+  Diagnostics ignored;
+  if (auto written = format.write(row, {}, sink, ignored); !written) return written.error().message;
+  const auto read = format.read(text, {}, ignored);
+  if (!read) return read.error().message;
+  const BodyMotion* const found = std::get_if<BodyMotion>(&read->content);
+  std::vector<const Component*> parts;
+  for (const Component& component : body.components) {
+    if (component.kind == ComponentKind::Other) continue;
+    if (robot::agree(component, *main_component(body))) parts.push_back(&component);
+  }
+  const bool is_same =
+      found != nullptr &&
+      std::equal(parts.begin(), parts.end(), found->components.begin(), found->components.end(),
+                 [](const Component* a, const Component& b) {
+                   return a->kind == b.kind && a->content == b.content &&
+                          a->num_parts == b.num_parts && a->pose_form == b.pose_form &&
+                          a->is_root_relative == b.is_root_relative;
+                 });
+  if (is_same) return std::nullopt;
+  return "its columns would be taken for other components";
+}
+
 /// A body motion as a motion whose columns are its components' values.
-Result<Document> as_columns(Document document, const BodyMotion& body, const Skeleton* robot,
-                            bool lenient, Diagnostics& diagnostics) {
+Result<Document> as_columns(const Format& format, Document document, const BodyMotion& body,
+                            const Skeleton* robot, bool lenient, Diagnostics& diagnostics) {
   const BodyMotion named = robot == nullptr ? body : with_names_of(body, *robot);
   auto columns = robot::motion_of_components(named, lenient, diagnostics);
   if (!columns) return fail(std::move(columns.error()));
+  if (const auto fault = fault_of_columns(format, *columns, named)) {
+    const std::string message = "a table of these components cannot be read back: " + *fault;
+    if (!lenient) {
+      return fail(ErrorKind::DataLoss, "CNV012", message + "; --lenient writes it all the same");
+    }
+    diagnostics.add(Severity::Warning, "CNV012", message);
+  }
   document.content = std::move(*columns);
   document.format.clear();
   return document;
@@ -253,8 +301,9 @@ Result<Document> with_up_axis(Document document, std::optional<std::size_t> usua
 }
 
 /// Converts a motion or a skeleton to a kind that the format can write.
-Result<Document> motion_for(const Conventions& conventions, Document document,
-                            const KindOptions& options, Diagnostics& diagnostics) {
+Result<Document> motion_for(const Format& format, Document document, const KindOptions& options,
+                            Diagnostics& diagnostics) {
+  const Conventions& conventions = format.conventions;
   const Motion* motion = std::get_if<Motion>(&document.content);
   const bool wants_columns = conventions.has_columns_of_components && options.form && motion;
   if (!takes_bodies_alone(conventions) && !wants_columns) {
@@ -272,15 +321,16 @@ Result<Document> motion_for(const Conventions& conventions, Document document,
   if (wants_columns) {
     const Skeleton own = motion->skeleton;
     const Skeleton* robot = options.model != nullptr ? &skeleton_of(*options.model) : &own;
-    return as_columns(std::move(document), *body, robot, options.lenient, diagnostics);
+    return as_columns(format, std::move(document), *body, robot, options.lenient, diagnostics);
   }
   document.content = std::move(*body);
   return document;
 }
 
 /// Converts a body motion to a kind that the format can write.
-Result<Document> body_for(const Conventions& conventions, Document document,
-                          const KindOptions& options, Diagnostics& diagnostics) {
+Result<Document> body_for(const Format& format, Document document, const KindOptions& options,
+                          Diagnostics& diagnostics) {
+  const Conventions& conventions = format.conventions;
   BodyMotion body = *std::get_if<BodyMotion>(&document.content);
   const bool stays = conventions.writes.body_motions;
   if (stays && options.up == std::size_t{1}) {
@@ -292,7 +342,7 @@ Result<Document> body_for(const Conventions& conventions, Document document,
     body = std::move(*formed);
   }
   if (conventions.has_columns_of_components) {
-    return as_columns(std::move(document), body,
+    return as_columns(format, std::move(document), body,
                       options.model == nullptr ? nullptr : &skeleton_of(*options.model),
                       options.lenient, diagnostics);
   }
@@ -373,8 +423,8 @@ Result<Document> in_kind_of(const Format& format, Document document, const KindO
     return document;
   }
   return std::holds_alternative<BodyMotion>(document.content)
-             ? body_for(conventions, std::move(document), options, diagnostics)
-             : motion_for(conventions, std::move(document), options, diagnostics);
+             ? body_for(format, std::move(document), options, diagnostics)
+             : motion_for(format, std::move(document), options, diagnostics);
 }
 
 }  // namespace kinefile

@@ -301,6 +301,47 @@ TEST(Kinds, NoFormatWritesFramesAtOtherTimesThanTheirOwn) {
   EXPECT_EQ(num_refused, 2) << "BVH and AMC";
 }
 
+/// A component of one frame.
+Component one_frame(ComponentKind kind, const std::string& content) {
+  Component component;
+  component.kind = kind;
+  component.content = content;
+  component.num_frames = 1;
+  component.values.resize(component.row_size());
+  return component;
+}
+
+TEST(Kinds, ATableThatCouldNotBeReadBackIsRefused) {
+  const Component joints = one_frame(ComponentKind::Values, std::string(kJointDisplacement));
+  const Component named = one_frame(ComponentKind::Values, "Grip");
+  const Component like_others = one_frame(ComponentKind::Vectors, "a.root");
+  const struct {
+    std::vector<Component> components;
+    std::string fault;
+  } cases[] = {
+      {{joints, joints}, "expected each column once, found 'joint0.q' again"},
+      {{named, named}, "expected each column once, found 'Grip[0].q' again"},
+      {{like_others}, "its columns would be taken for other components"},
+  };
+  for (const auto& one : cases) {
+    Diagnostics diagnostics;
+    const Document document{BodyMotion{one.components}, "", {}};
+    const auto refused = in_kind_of(*find_format("csv"), document, {}, diagnostics);
+    ASSERT_FALSE(refused) << one.fault;
+    EXPECT_EQ(refused.error().code, "CNV012");
+    EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+    EXPECT_EQ(refused.error().message, "a table of these components cannot be read back: " +
+                                           one.fault + "; --lenient writes it all the same");
+    EXPECT_TRUE(diagnostics.items().empty());
+    const auto written = in_kind_of(*find_format("csv"), document, {.lenient = true}, diagnostics);
+    EXPECT_TRUE(written);
+    EXPECT_EQ(diagnostics.count_of("CNV012", Severity::Warning), 1u);
+  }
+  Diagnostics diagnostics;
+  const Document good{BodyMotion{{joints, named, one_frame(ComponentKind::Vectors, "b")}}, "", {}};
+  EXPECT_TRUE(in_kind_of(*find_format("csv"), good, {}, diagnostics));
+}
+
 TEST(Kinds, ASkeletonAloneNeedsNoSteadyRate) {
   Motion walk = examples::make_walk({.num_frames = 3});
   walk.clip.timeline.given = FrameTimes{{0, 0.1, 0.3}};

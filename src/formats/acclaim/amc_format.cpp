@@ -168,6 +168,15 @@ AmcHeading heading_of(const KeptFile& kept, const Motion& motion, const WriteOpt
   return heading;
 }
 
+/// \errors ASF020 (DataLoss) if frames have a rate that the reader does not take
+Result<void> expect_rate(const Timeline& timeline) {
+  const double rate = frame_rate(timeline);
+  if (rate >= kLeastRate && rate <= kMostRate) return {};
+  return fail(make_error(
+      ErrorKind::DataLoss, code::kNotExpressible,
+      fmt::format("AMC has {} to {} frames a second, not {}", kLeastRate, kMostRate, rate)));
+}
+
 Result<void> write_amc(const Document& document, const WriteOptions& options, const Sink& sink,
                        Diagnostics&) {
   const Motion* motion = std::get_if<Motion>(&document.content);
@@ -181,6 +190,7 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
   }
   auto steady = expect_steady(motion->clip, code::kNotExpressible, "AMC");
   if (!steady) return steady;
+  if (auto rate = expect_rate(motion->clip.timeline); !rate) return rate;
   const KeptFile kept = kept_file_of(document);
   auto unbound = unbind(motion->skeleton, kept);
   if (!unbound) return fail(std::move(unbound.error()));

@@ -340,8 +340,8 @@ void set_angle(Parser& parser, AmcHeader& header, AngleUnit unit, const char* at
 void parse_rate(Parser& parser, AmcHeader& header) {
   const std::string_view token = parser.lexer.take_in_line();
   const text::Number number = text::parse_number(token);
-  const bool is_rate =
-      number.fault == text::NumberFault::None && number.value >= 1e-9 && number.value <= 1e9;
+  const bool is_rate = number.fault == text::NumberFault::None && number.value >= kLeastRate &&
+                       number.value <= kMostRate;
   if (is_rate) {
     header.samples_per_second = number.value;
     return;

@@ -120,6 +120,9 @@ struct AmcBody {
   std::vector<std::size_t> bone_order;  ///< of the first frame, as indices of BoneColumns
 };
 
+/// Within these limits, frames a second and the times of frames are finite numbers.
+inline constexpr double kLeastRate = 1e-9, kMostRate = 1e9;
+
 /// A file may have this many bones.
 inline constexpr std::size_t kMaxBones = 100'000;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "formats/hrpsys/format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -72,6 +74,11 @@ Result<void> write_set(const Document& document, const WriteOptions& options, co
   for (const std::string_view part : kParts) {
     const Component* const component = motion == nullptr ? nullptr : component_of(*motion, part);
     if (component == nullptr) continue;
+    if (component->num_frames == 0) {  // an empty file, which nobody reads
+      return fail(make_error(
+          ErrorKind::Usage, code::kNothingToWrite,
+          fmt::format("expected frames of '{}' to write, found none", component->content)));
+    }
     const auto sink = open(part);
     if (!sink) return fail(sink.error());
     if (auto written = write_part(*component, part, options, *sink); !written) return written;

@@ -98,6 +98,23 @@ TEST(AcclaimWrite, AnAssumedRateIsNotPutIntoTheFilesMouth) {
   EXPECT_NE(write_to_string(document, "amc").find(":SAMPLES-PER-SECOND 60\n"), std::string::npos);
 }
 
+TEST(AcclaimWrite, ARateThatNoReaderTakesIsRefused) {
+  Document document = read_document(kTwoFrames, asf_with("axis 0 0 0 XYZ\ndof rx rz\n"));
+  Timeline& timeline = std::get<Motion>(document.content).clip.timeline;
+  for (const double seconds : {1e300, 1e-320, 1.1e9, 0.9e-9}) {
+    timeline.given = FrameTime{seconds};
+    Diagnostics diagnostics;
+    const auto written = find_format("amc")->write(
+        document, {}, [](std::string_view) { return true; }, diagnostics);
+    ASSERT_FALSE(written) << seconds;
+    EXPECT_EQ(written.error().code, "ASF020");
+    EXPECT_EQ(written.error().kind, ErrorKind::DataLoss);
+  }
+  timeline.given = FrameRate{1e-9};
+  const Document again = written_and_read(document);
+  EXPECT_EQ(frame_rate(std::get<Motion>(again.content).clip.timeline), 1e-9);
+}
+
 TEST(AcclaimWrite, ForcedBonesKeepTheirHeaderAndTheirWords) {
   const std::string text = ":DEGREES\n:FORCE-ALL-JOINTS-BE-3DOF\n1\nroot 0 0 0 0 0 0\nb 10 20 30\n";
   const Document document = read_document(text, asf_with("axis 0 0 30 XYZ\ndof ry\n"));

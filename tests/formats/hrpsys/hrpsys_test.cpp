@@ -166,5 +166,16 @@ TEST(Hrpsys, WhatIsWrittenReadsTheSame) {
   EXPECT_EQ(refused.error().code, "HRP008");
 }
 
+TEST(Hrpsys, AFileWithoutRowsIsNotWritten) {
+  BodyMotion body;
+  Component& joints_alone = body.components.emplace_back();
+  joints_alone.content = kJointDisplacement;
+  Diagnostics none;
+  const auto refused = find_format("hrpsys")->write_set({body, "", {}}, {}, nullptr, none);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "HRP008");
+  EXPECT_EQ(refused.error().message, "expected frames of 'JointDisplacement' to write, found none");
+}
+
 }  // namespace
 }  // namespace kinefile::test

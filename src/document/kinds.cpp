@@ -4,15 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-<<<<<<< HEAD
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-=======
-#include <optional>
-#include <string>
 #include <vector>
->>>>>>> fuzz
 
 #include "base/words.hpp"
 #include "document/conventions.hpp"

@@ -33,7 +33,7 @@ run_fuzzer() {
   # shellcheck disable=SC2046 # one word a folder
   limit=-max_total_time=$seconds
   [ "$seconds" != 0 ] || limit=-runs=0
-  if "${FUZZ_BUILD:-build/sanitize}/fuzz/$1" "$limit" -max_len=32768 -timeout=10 \
+  if "${FUZZ_BUILD:-build/sanitize}/fuzz/$1" "$limit" -max_len=16384 -timeout=10 \
     -rss_limit_mb=2048 -print_final_stats=1 -dict="$words" -artifact_prefix="$folder/" \
     "$folder/corpus" $(find $(echo "$2" | tr ',' ' ') -type d) >"$folder/log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")

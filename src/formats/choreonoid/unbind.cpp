@@ -106,12 +106,23 @@ Result<double> rate_beside_times(const Component& component, Diagnostics& diagno
   return steady->per_second;
 }
 
+/// \errors SEQ027 (DataLoss) if a frame has a time that no reader takes
+Result<void> expect_times(const Component& component) {
+  for (const double time : own_times(component.timeline)) {
+    if (std::isfinite(time) && time >= 0) continue;
+    return fail(make_error(
+        ErrorKind::DataLoss, code::kCannotWrite,
+        fmt::format("expected times from 0 s up in '{}', found {} s", component.content, time)));
+  }
+  return {};
+}
+
 Result<double> settle_rate(const Component& component, Diagnostics& diagnostics) {
   const double rate = nominal_frame_rate(component.timeline);
   if (const FrameTimes* own = std::get_if<FrameTimes>(&component.timeline.given)) {
     if (!own->per_second) return rate_beside_times(component, diagnostics);
   }
-  if (!(rate > 0) || !std::isfinite(rate)) {
+  if (!(rate > 0) || !std::isfinite(rate) || !std::isfinite(1 / rate)) {
     return fail(make_error(ErrorKind::DataLoss, code::kCannotWrite,
                            fmt::format("expected frames a second above 0, found {}", rate)));
   }
@@ -143,6 +154,7 @@ Result<PrintedComponent> unbind_component(const Component& component, int versio
   const bool is_told_by_name = printed.content == "RelativeZMP" || printed.content == "RelativeZmp";
   printed.says_relative = component.is_root_relative && !(is_told_by_name && version == 1);
   printed.unknown_keys = kept.unknown_keys;
+  if (auto times = expect_times(component); !times) return fail(std::move(times.error()));
   const auto rate = settle_rate(component, diagnostics);
   if (!rate) return fail(rate.error());
   printed.frame_rate = *rate;

@@ -354,5 +354,20 @@ TEST(SeqWrite, ARateOfZeroIsRefused) {
   EXPECT_EQ(to_string(written.error()), "error[SEQ027]: expected frames a second above 0, found 0");
 }
 
+TEST(SeqWrite, ATimeThatNoReaderTakesIsRefused) {
+  Component component;
+  component.content = "Grip";
+  component.num_frames = 2;
+  component.values = {1, 2};
+  component.timeline.given = FrameTimes{{-0.5, 1}};
+  Diagnostics diagnostics;
+  const auto written =
+      find_format("choreonoid")->write({BodyMotion{{component}}, "", {}}, {}, {}, diagnostics);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(to_string(written.error()),
+            "error[SEQ027]: expected times from 0 s up in 'Grip', found -0.5 s");
+  EXPECT_EQ(written.error().kind, ErrorKind::DataLoss);
+}
+
 }  // namespace
 }  // namespace kinefile::test

@@ -27,20 +27,25 @@ command_lines        -                         -
 
 run_fuzzer() {
   folder=build/fuzz/$1
+  program=${FUZZ_BUILD:-build/sanitize}/fuzz/$1
   mkdir -p "$folder/corpus"
-  words=build/fuzz/$1/words.dict
-  if [ "$3" = all ]; then cat fuzz/dictionaries/*.dict >"$words"; else cp "fuzz/dictionaries/$3.dict" "$words"; fi
-  # shellcheck disable=SC2046 # one word a folder
+  words=$folder/words.dict
+  if [ "$3" = all ]; then
+    cat fuzz/dictionaries/*.dict >"$words"
+  else
+    cp "fuzz/dictionaries/$3.dict" "$words"
+  fi
   limit=-max_total_time=$seconds
   [ "$seconds" != 0 ] || limit=-runs=0
-  if "${FUZZ_BUILD:-build/sanitize}/fuzz/$1" "$limit" -max_len=16384 -timeout=10 \
+  # shellcheck disable=SC2046 # one word a folder
+  if "$program" "$limit" -max_len=16384 -timeout=10 \
     -rss_limit_mb=2048 -print_final_stats=1 -dict="$words" -artifact_prefix="$folder/" \
-    "$folder/corpus" $(find $(echo "$2" | tr ',' ' ') -type d) >"$folder/log" 2>&1; then
-    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+    "$folder/corpus" $(find $(echo "$2" | tr ',' ' ') -type d) >"$program.log" 2>&1; then
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$program.log")
     echo "$1: $runs executions in $seconds s, nothing found"
-    sed -n '/^journey: /p' "$folder/log"
+    sed -n '/^journey: /p' "$program.log"
   else
-    tail -n 40 "$folder/log" >&2
+    tail -n 40 "$program.log" >&2
     return 1
   fi
 }

@@ -181,10 +181,9 @@ double half_of_last_digit(const char* at, const char* end) {
 
 std::optional<double> rate_of_times(std::span<const double> times,
                                     std::span<const double> half_digits) {
-  constexpr double kLeastRate = 1e-9, kGreatestRate = 1e9;
   const double period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   const double estimate = 1 / period;
-  if (!(estimate >= kLeastRate && estimate <= kGreatestRate)) return std::nullopt;
+  if (!(estimate >= kLeastTableRate && estimate <= kMostTableRate)) return std::nullopt;
   const PrintedTimes printed{times, half_digits};
   const Start start = times.front() == 0 ? Start::AtZero : Start::Anywhere;
   if (const double rate = usual_rate(printed, estimate, start); rate > 0) return rate;

@@ -11,6 +11,9 @@ namespace kinefile {
 ///          digits
 double half_of_last_digit(const char* at, const char* end);
 
+/// The rates that times are taken for, in frames a second.
+inline constexpr double kLeastTableRate = 1e-9, kMostTableRate = 1e9;
+
 /// The steady rate of two or more times that go up, if they have one: every time is that of its
 /// frame, within the rounding of its last digit. Of the rates that fit, a usual one (see
 /// `usual_rates`, `television_rates`) comes first, then the one with the fewest decimals. Times

@@ -20,5 +20,6 @@ inline constexpr const char* kNotFinite = "HRP013";
 inline constexpr const char* kSpeedsLeftOut = "HRP014";
 inline constexpr const char* kGap = "HRP015";
 inline constexpr const char* kSlow = "HRP016";
+inline constexpr const char* kOddRate = "HRP017";
 
 }  // namespace kinefile::hrpsys::code

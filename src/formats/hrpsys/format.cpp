@@ -10,6 +10,7 @@
 #include "formats/files.hpp"
 #include "formats/hrpsys/codes.hpp"
 #include "formats/hrpsys/read.hpp"
+#include "formats/table_rate.hpp"
 #include "text/printer.hpp"
 
 namespace kinefile::hrpsys {
@@ -66,6 +67,23 @@ Result<void> write_part(const Component& component, std::string_view part,
   return {};
 }
 
+/// \errors HRP008 (Usage) without frames: nobody reads an empty file; HRP017 (DataLoss) if the
+/// times would not be read as a rate
+Result<void> expect_readable(const Component& component) {
+  if (component.num_frames == 0) {
+    return fail(
+        make_error(ErrorKind::Usage, code::kNothingToWrite,
+                   fmt::format("expected frames of '{}' to write, found none", component.content)));
+  }
+  const double rate = frame_rate(component.timeline);
+  const bool has_rate = rate >= kLeastTableRate && rate <= kMostTableRate;
+  const bool has_times = component.num_frames == 1 || has_own_times(component.timeline);
+  if (has_rate || has_times) return {};
+  return fail(make_error(ErrorKind::DataLoss, code::kOddRate,
+                         fmt::format("hrpsys has {} to {} frames a second, not {} as '{}'",
+                                     kLeastTableRate, kMostTableRate, rate, component.content)));
+}
+
 Result<void> write_set(const Document& document, const WriteOptions& options, const OpenPart& open,
                        Diagnostics&) {
   if (auto valid = validate(document); !valid) return valid;
@@ -74,11 +92,7 @@ Result<void> write_set(const Document& document, const WriteOptions& options, co
   for (const std::string_view part : kParts) {
     const Component* const component = motion == nullptr ? nullptr : component_of(*motion, part);
     if (component == nullptr) continue;
-    if (component->num_frames == 0) {  // an empty file, which nobody reads
-      return fail(make_error(
-          ErrorKind::Usage, code::kNothingToWrite,
-          fmt::format("expected frames of '{}' to write, found none", component->content)));
-    }
+    if (auto readable = expect_readable(*component); !readable) return readable;
     const auto sink = open(part);
     if (!sink) return fail(sink.error());
     if (auto written = write_part(*component, part, options, *sink); !written) return written;

@@ -177,5 +177,21 @@ TEST(Hrpsys, AFileWithoutRowsIsNotWritten) {
   EXPECT_EQ(refused.error().message, "expected frames of 'JointDisplacement' to write, found none");
 }
 
+TEST(Hrpsys, ARateThatTimesDoNotTellIsNotWritten) {
+  BodyMotion body;
+  Component& values = body.components.emplace_back();
+  values.content = kJointDisplacement;
+  values.num_frames = 2;
+  values.values = {1, 2};
+  values.timeline.given = FrameRate{1e16};
+  Diagnostics none;
+  const auto refused = find_format("hrpsys")->write_set({body, "", {}}, {}, nullptr, none);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "HRP017");
+  EXPECT_EQ(refused.error().kind, ErrorKind::DataLoss);
+  EXPECT_EQ(refused.error().message,
+            "hrpsys has 1e-09 to 1000000000 frames a second, not 1e+16 as 'JointDisplacement'");
+}
+
 }  // namespace
 }  // namespace kinefile::test

@@ -39,8 +39,8 @@ struct OpenedFiles {
 /// the body motions and flows among them, a servo map or a project makes flows move. Body motions
 /// that were open without a robot get it, too, and flows what they lack. Of a folder full of
 /// motions the first one is opened: many at once could not be told apart. Of several robots the
-/// first is opened, and none if a motion among the files carries one. \param few  up to how many
-/// motions, and how many robots, are opened; absent: what a person tells
+/// first is opened, and none if a motion among the files carries one.
+/// \param few  up to how many motions, and how many robots, are opened; absent: what a person tells
 ///             apart at first sight
 OpenedFiles open_all(Session& session, const std::vector<std::string>& paths,
                      std::optional<std::size_t> few);

@@ -56,7 +56,7 @@ PUBLIC = {
 
 # Third-party headers that public headers may show, and what only some layers may use.
 PUBLIC_THIRD_PARTY = ("Eigen/", "tl/expected.hpp")
-ONLY_IN = {"hwy/": ("simd",), "fast_float/": ("text",), "CLI/": ("cli",), "nlohmann/": ("cli", "wasm"),
+ONLY_IN = {"hwy/": ("simd",), "fast_float/": ("text", "simd"), "CLI/": ("cli",), "nlohmann/": ("cli", "wasm"),
            "zlib.h": ("cli",)}
 DISK_HEADERS = ("fstream", "filesystem", "cstdio", "fcntl.h", "unistd.h", "sys/stat.h")
 

@@ -7,6 +7,7 @@
 
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
+#include "simd/number_rows.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::bvh {
@@ -25,8 +26,9 @@ struct Rows {
   std::optional<std::size_t> claim;
   const char* claim_at;
   std::size_t num_columns;
-  std::span<double> row = {};  ///< the current row: the last of `values`
-  std::size_t num_seen = 0;    ///< rows seen so far, including faulty ones
+  std::span<double> row = {};    ///< the current row: the last of `values`
+  std::size_t num_seen = 0;      ///< rows seen so far, including faulty ones
+  std::size_t num_reserved = 0;  ///< rows that there is memory for
   bool is_stream_refuted =
       false;  ///< the count of numbers does not fit, so rows end with their lines
   const char* known_row = nullptr;  ///< the last place where a later row was found
@@ -77,8 +79,8 @@ void reserve_rows(Rows& rows, const char* begin) {
   const std::size_t num_rows =
       rows.claim ? *rows.claim : std::min(num_likely, most_rows(rows, begin));
   // While the file is read, one extra row is open.
-  const std::size_t num_reserved = std::min(num_rows, most_rows(rows, begin)) + 1;
-  rows.file().values.reserve(num_reserved * rows.num_columns);
+  rows.num_reserved = std::min(num_rows, most_rows(rows, begin)) + 1;
+  rows.file().values.reserve(rows.num_reserved * rows.num_columns);
 }
 
 /// Reads a token that the row reader rejected: a word for a value that is not finite, or not a
@@ -254,10 +256,51 @@ const char* read_odd_line(Rows& rows, const char* line) {
   return scanner.position();
 }
 
+/// How many rows are looked for at once: as many as there is memory for; if there are more, some.
+std::size_t rows_at_once(const Rows& rows, const char* p) {
+  constexpr std::size_t kSomeNumbers = std::size_t{1} << 16;
+  const std::size_t num_frames = rows.parser.file.num_frames;
+  const std::size_t left = rows.num_reserved > num_frames
+                               ? rows.num_reserved - num_frames
+                               : std::max<std::size_t>(kSomeNumbers / rows.num_columns, 1);
+  return std::min(left, most_rows(rows, p));
+}
+
+/// Reads plain rows, many at once, as far as they go. The row that was open is one of them.
+/// \returns the first line that is not one of them
+const char* read_plain_rows(Rows& rows, const char* begin) {
+  const char* p = begin;
+  rows.close_rows();
+  for (bool is_more = true; is_more;) {
+    const std::size_t most = rows_at_once(rows, p);
+    double* const out = rows.file().values.grow(most * rows.num_columns).data();
+    const simd::NumberRows read =
+        simd::read_number_rows(p, rows.end(), rows.num_columns, most, out);
+    rows.file().num_frames += read.num_rows;
+    rows.num_seen += read.num_rows;
+    rows.close_rows();
+    is_more = read.num_rows == most;
+    p = read.next;
+  }
+  rows.open_row();
+  return p;
+}
+
 void read_rows(Rows& rows, const char* begin) {
+  constexpr std::size_t kMostLines = 64;
   rows.open_row();
   const char* p = begin;
+  // Where many lines are odd, rows are looked for the less often, so that no byte is looked at many
+  // times.
+  std::size_t num_lines = 1, num_lines_left = 0;
   while (p != rows.end()) {
+    if (num_lines_left-- == 0) {
+      const char* const plain_end = read_plain_rows(rows, p);
+      num_lines = plain_end == p ? std::min(2 * num_lines, kMostLines) : 1;
+      num_lines_left = num_lines;
+      p = plain_end;
+      continue;
+    }
     const NumberRow read = text::read_number_row(p, rows.end(), rows.row.data(), rows.num_columns);
     if (read.end == RowEnd::EndOfLine && read.count == rows.num_columns) {
       rows.keep_row();

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Rows of numbers are read in pieces of some thousand bytes, each in two passes, so that no branch
+// depends on what a single byte is:
+// 1. Where tokens and lines end: 64 bytes at a time become a mask of separators, of which a table
+// of
+//    token ends is made (Langdale and Lemire, "Parsing Gigabytes of JSON per Second", 2019).
+// 2. Tokens become doubles, several at a time (number_tokens-inl.hpp). What is not plain is left to
+//    fast_float, token by token, so that one odd token does not slow its neighbours.
+// A byte that is no separator never separates.
+// Highway compiles this file once for every instruction set and selects one at run time.
+
+#include "simd/number_rows.hpp"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#ifdef __EMSCRIPTEN__
+#define HWY_COMPILE_ONLY_EMU128  // WebAssembly has no vectors of doubles in Highway 1.0
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/number_rows.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/number_tables.hpp"
+
+#ifndef KINEFILE_NUMBER_ROWS_INDEX
+#define KINEFILE_NUMBER_ROWS_INDEX
+namespace kinefile::simd {
+namespace {
+
+constexpr std::size_t kWord = 64;          ///< bytes that a mask stands for
+constexpr std::size_t kPiece = 32 * 1024;  ///< bytes that are indexed at a time
+
+/// The first rows of a piece and their tokens, as distances from the piece's beginning. A token has
+/// a separator behind it, and a row a token.
+struct Index {
+  std::size_t num_tokens = 0;
+  std::size_t num_rows = 0;
+  std::array<std::uint32_t, kPiece / 2 + kWord> ends;      ///< of tokens
+  std::array<std::uint32_t, kPiece / 2 + kWord> begins;    ///< of tokens
+  std::array<std::uint32_t, kPiece / 2 + kWord> row_ends;  ///< behind LF
+};
+
+/// Reads a token that the kernels leave; whether it is a finite number.
+inline bool read_odd_token(const char* begin, const char* end, double& value) {
+  if (*begin == '+' && end - begin > 1 && begin[1] != '-') ++begin;
+  const auto [next, error] = fast_float::from_chars(begin, end, value);
+  return error == std::errc() && next == end && std::isfinite(value);
+}
+
+}  // namespace
+}  // namespace kinefile::simd
+#endif  // KINEFILE_NUMBER_ROWS_INDEX
+
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "simd/number_tokens-inl.hpp"
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace kinefile::simd {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+
+// Without vectors the other reader, which reads byte by byte, is as fast.
+NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, double*) {
+  return {0, begin};
+}
+
+#else
+
+struct WordMasks {
+  std::uint64_t separators = 0;
+  std::uint64_t line_ends = 0;
+  std::uint64_t carriage_returns = 0;
+};
+
+HWY_INLINE WordMasks masks_of(const char* text) {
+  const Bytes d;
+  WordMasks masks;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text);
+  // The low four bits choose the separator that a byte must equal.
+  alignas(16) static constexpr std::uint8_t kSeparators[16] = {' ', 0,    0,    0, 0, 0,    0, 0,
+                                                               0,   '\t', '\n', 0, 0, '\r', 0, 0};
+  const auto table = hn::LoadDup128(d, kSeparators);
+  const auto low = hn::Set(d, 0x0F);
+  for (std::size_t i = 0; i < kWord; i += hn::Lanes(d)) {
+    const auto v = hn::LoadU(d, bytes + i);
+    const auto is_separator = hn::And(v, low);
+    masks.separators |= bits_of(d, hn::TableLookupBytes(table, is_separator) == v) << i;
+    masks.line_ends |= bits_of(d, v == hn::Set(d, '\n')) << i;
+    masks.carriage_returns |= bits_of(d, v == hn::Set(d, '\r')) << i;
+  }
+  return masks;
+}
+
+/// Appends the places of the bits of a mask. Writes up to 64 places in any case.
+HWY_INLINE void append_places(std::uint64_t bits, std::uint32_t base, std::uint32_t* out) {
+  const auto num = static_cast<std::size_t>(std::popcount(bits));
+  const auto take = [&](std::size_t i) HWY_ATTR {
+    out[i] = base + static_cast<std::uint32_t>(std::countr_zero(bits));
+    bits &= bits - 1;
+  };
+  for (std::size_t i = 0; i < 8; ++i) take(i);
+  if (num <= 8) return;
+  for (std::size_t i = 8; i < 16; ++i) take(i);
+  for (std::size_t i = 16; i < num; ++i) take(i);
+}
+
+/// Adds the lines that end in a word, as long as each has the right number of tokens.
+/// \param ends  of tokens in this word, which are not in the index yet
+/// \returns     whether all of them have
+HWY_INLINE bool append_lines(std::uint64_t line_ends, std::uint64_t ends, std::size_t at,
+                             std::size_t num_columns, Index& index) {
+  for (; line_ends != 0; line_ends &= line_ends - 1) {
+    const std::uint64_t up_to = line_ends ^ (line_ends - 1);
+    const auto num_in_word = static_cast<std::size_t>(std::popcount(ends & up_to));
+    if (index.num_tokens + num_in_word != (index.num_rows + 1) * num_columns) return false;
+    index.row_ends[index.num_rows++] =
+        static_cast<std::uint32_t>(at) + static_cast<std::uint32_t>(std::popcount(up_to));
+  }
+  return true;
+}
+
+/// Finds where the tokens of the first rows of a piece begin.
+/// \param begins  where separators end, by words
+HWY_INLINE void find_begins(const std::uint64_t* begins, bool has_gaps, Index& index) {
+  const std::size_t num_tokens = index.num_tokens;
+  std::uint32_t* out = index.begins.data();
+  if (has_gaps) {
+    for (std::uint32_t at = 0; out < index.begins.data() + num_tokens; at += kWord) {
+      append_places(*begins, at, out);
+      out += std::popcount(*begins++);
+    }
+    return;
+  }
+  // With one separator between tokens, each begins one behind the end of the one before.
+  out[0] = 0;
+  for (std::size_t i = 0; i < num_tokens; ++i) out[i + 1] = index.ends[i] + 1;
+}
+
+/// Finds the first rows of a piece, and their tokens.
+/// \param size  bytes, a multiple of kWord
+HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_columns,
+                            Index& index) {
+  index.num_tokens = 0;
+  index.num_rows = 0;
+  std::uint64_t gaps = 0;
+  std::uint64_t separator_before = 1;  // a piece begins where a line begins
+  std::uint64_t return_before = 0;
+  std::array<std::uint64_t, kPiece / kWord> begins;
+  for (std::size_t at = 0; at < size; at += kWord) {
+    const WordMasks masks = masks_of(text + at);
+    const std::uint64_t behind_separator = masks.separators << 1 | separator_before;
+    const std::uint64_t behind_return = masks.carriage_returns << 1 | return_before;
+    const std::uint64_t ends = masks.separators & ~behind_separator;
+    separator_before = masks.separators >> (kWord - 1);
+    return_before = masks.carriage_returns >> (kWord - 1);
+    gaps |= masks.separators & behind_separator;
+    begins[at / kWord] = ~masks.separators & behind_separator;
+    if ((behind_return & ~masks.line_ends) != 0) break;  // a CR that is no part of a line end
+    if (!append_lines(masks.line_ends, ends, at, num_columns, index)) break;
+    append_places(ends, static_cast<std::uint32_t>(at), &index.ends[index.num_tokens]);
+    index.num_tokens += static_cast<std::size_t>(std::popcount(ends));
+  }
+  index.num_tokens = std::min(index.num_tokens, index.num_rows * num_columns);
+  find_begins(begins.data(), gaps != 0, index);
+}
+
+/// Reads tokens of a piece one by one; returns the first that is no finite number, or the last.
+/// \param is_begin_of_text  whether nothing stands before the piece
+HWY_INLINE std::size_t read_singly(const char* text, const Index& index, std::size_t first,
+                                   std::size_t last, bool is_begin_of_text, double* out) {
+  for (std::size_t i = first; i < last; ++i) {
+    const bool has_room = !is_begin_of_text || index.ends[i] > kLongToken;
+    if (has_room && read_single(reinterpret_cast<const std::uint8_t*>(text), index.begins[i],
+                                index.ends[i], out[i])) {
+      continue;
+    }
+    if (!read_odd_token(text + index.begins[i], text + index.ends[i], out[i])) return i;
+  }
+  return last;
+}
+
+/// Reads the tokens of a piece; returns the first that is no finite number, or the last.
+HWY_INLINE std::size_t read_tokens(const char* text, const Index& index, bool is_begin_of_text,
+                                   double* out) {
+  const std::size_t count = index.num_tokens;
+  ForeseenPoint foreseen;
+  std::size_t i = 0;
+  while (is_begin_of_text && i < count && index.ends[i] <= kLongToken) ++i;
+  if (const std::size_t read = read_singly(text, index, 0, i, true, out); read < i) return read;
+  for (; i + kTokens <= count; i += kTokens) {
+    if (read_group(reinterpret_cast<const std::uint8_t*>(text), &index.begins[i], &index.ends[i],
+                   foreseen, out + i)) {
+      continue;
+    }
+    const std::size_t end = i + kTokens;
+    if (const std::size_t read = read_singly(text, index, i, end, false, out); read < end) {
+      return read;
+    }
+  }
+  return read_singly(text, index, i, count, false, out);
+}
+
+NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
+                    std::size_t max_rows, double* out) {
+  const auto index = std::make_unique_for_overwrite<Index>();
+  NumberRows read{0, begin};
+  while (true) {
+    const auto rest = static_cast<std::size_t>(end - read.next);
+    index_piece(read.next, std::min(rest, kPiece) / kWord * kWord, num_columns, *index);
+    const std::size_t most = std::min(index->num_rows, max_rows - read.num_rows);
+    index->num_tokens = most * num_columns;
+    const std::size_t num_tokens =
+        read_tokens(read.next, *index, read.next == begin, out + read.num_rows * num_columns);
+    const std::size_t num_rows = num_tokens / num_columns;
+    if (num_rows == 0) return read;
+    read.next += index->row_ends[num_rows - 1];
+    read.num_rows += num_rows;
+    if (num_rows < index->num_rows) return read;
+  }
+}
+
+#endif  // HWY_TARGET
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kinefile::simd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinefile::simd {
+namespace {
+HWY_EXPORT(read_all);
+}  // namespace
+
+NumberRows read_number_rows(const char* begin, const char* end, std::size_t num_columns,
+                            std::size_t max_rows, double* out) {
+  return HWY_DYNAMIC_DISPATCH(read_all)(begin, end, num_columns, max_rows, out);
+}
+
+}  // namespace kinefile::simd
+#endif  // HWY_ONCE

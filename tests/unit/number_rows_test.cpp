@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Rows of numbers by vectors, held against the reader that reads byte by byte.
+#include "simd/number_rows.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "text/numbers.hpp"
+
+namespace kinefile::simd {
+namespace {
+
+struct ReadRows {
+  std::size_t num_rows = 0;
+  std::size_t next = 0;  ///< the distance from the text's beginning
+  std::vector<double> values;
+};
+
+ReadRows rows_of(std::string_view text, std::size_t num_columns, std::size_t max_rows = 10'000) {
+  ReadRows read;
+  read.values.resize(max_rows * num_columns);
+  const NumberRows rows = read_number_rows(text.data(), text.data() + text.size(), num_columns,
+                                           max_rows, read.values.data());
+  read.num_rows = rows.num_rows;
+  read.next = static_cast<std::size_t>(rows.next - text.data());
+  read.values.resize(rows.num_rows * num_columns);
+  return read;
+}
+
+/// The same by the other reader.
+ReadRows rows_one_by_one(std::string_view text, std::size_t num_columns) {
+  ReadRows read;
+  std::vector<double> row(num_columns);
+  const char* p = text.data();
+  const char* const end = p + text.size();
+  while (p != end) {
+    const auto line = text::read_number_row(p, end, row.data(), num_columns);
+    const bool has_row = line.count == num_columns && line.end == text::RowEnd::EndOfLine;
+    if (!has_row || line.next[-1] != '\n') break;
+    read.values.insert(read.values.end(), row.begin(), row.end());
+    ++read.num_rows;
+    p = line.next;
+  }
+  read.next = static_cast<std::size_t>(p - text.data());
+  return read;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b, std::size_t count) {
+  return std::memcmp(a.data(), b.data(), count * sizeof(double)) == 0;
+}
+
+/// Enough plain lines behind a text that its own do not lie in the last bytes, which are left.
+std::string tail(std::size_t num_columns) {
+  std::string line;
+  for (std::size_t i = 0; i < num_columns; ++i) line += "0 ";
+  std::string lines;
+  while (lines.size() < 64) lines += line + "\n";
+  return lines;
+}
+
+/// Rows are those of the other reader, as far as they go; false if vectors are not used here.
+void expect_same(const std::string& text, std::size_t num_columns) {
+  const ReadRows expected = rows_one_by_one(text, num_columns);
+  const ReadRows read = rows_of(text, num_columns);
+  ASSERT_LE(read.num_rows, expected.num_rows);
+  ASSERT_TRUE(same_bits(read.values, expected.values, read.values.size())) << text;
+  const bool reads_none = rows_of("0\n" + tail(1), 1).num_rows == 0;
+  if (reads_none) return;  // a machine without vectors
+  if (read.next == expected.next) return;
+  // What may be left are lines that end in the last 64 bytes, and those that are longer than a
+  // piece.
+  const std::size_t line_end = text.find('\n', read.next);
+  ASSERT_TRUE(text.size() - line_end <= 64 || line_end - read.next > 30'000)
+      << read.next << " of " << expected.next << ": " << text.substr(read.next, 200);
+}
+
+class Tokens {
+ public:
+  explicit Tokens(unsigned seed) : random_(seed) {}
+
+  std::size_t below(std::size_t count) { return random_() % count; }
+
+  /// A number as some program prints it.
+  std::string number() {
+    const double value = std::ldexp(std::uniform_real_distribution<>(-1, 1)(random_),
+                                    static_cast<int>(below(30)) - 10);
+    switch (below(9)) {
+      case 0:
+        return fmt::format("{:.6f}", value);
+      case 1:
+        return fmt::format("{:.2f}", value);
+      case 2:
+        return fmt::format("{:g}", value);
+      case 3:
+        return fmt::format("{}", static_cast<float>(value));
+      case 4:
+        return fmt::format("{}", value);
+      case 5:
+        return fmt::format("{}", static_cast<int>(value));
+      case 6:
+        return fmt::format("{:e}", value);
+      case 7:
+        return digits(1 + below(40));
+      default:
+        return fmt::format("{:.17g}", value);
+    }
+  }
+
+  /// Digits with a sign and a point somewhere, or without.
+  std::string digits(std::size_t count) {
+    std::string token = below(2) == 0 ? "-" : "";
+    const std::size_t point = below(count + 4);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i == point) token += '.';
+      token += static_cast<char>('0' + below(10));
+    }
+    return token + (point == count ? "." : "");
+  }
+
+  std::string blanks() { return below(20) == 0 ? std::string(1 + below(3), " \t"[below(2)]) : " "; }
+
+  /// Lines of a number of columns.
+  std::string lines(std::size_t num_rows, std::size_t num_columns) {
+    const std::string line_end = below(2) == 0 ? "\n" : "\r\n";
+    std::string text;
+    for (std::size_t row = 0; row < num_rows; ++row) {
+      if (below(10) == 0) text += blanks();
+      for (std::size_t column = 0; column < num_columns; ++column) {
+        if (column > 0) text += blanks();
+        text += number();
+      }
+      text += (below(10) == 0 ? blanks() : "") + line_end;
+    }
+    return text;
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+TEST(ReadNumberRows, ReadsEveryNotationToTheLastBit) {
+  Tokens tokens(1);
+  for (std::size_t i = 0; i < 400; ++i) {
+    const std::size_t num_columns = 1 + tokens.below(100);
+    expect_same(tokens.lines(1 + tokens.below(200), num_columns), num_columns);
+  }
+}
+
+TEST(ReadNumberRows, ReadsTokensOfEachLength) {
+  Tokens tokens(2);
+  for (std::size_t length = 1; length <= 45; ++length) {
+    for (std::size_t round = 0; round < 200; ++round) {
+      std::string line;
+      for (std::size_t i = 0; i < 5; ++i) line += tokens.digits(length) + " ";
+      expect_same(line + "\n" + tail(5), 5);
+    }
+  }
+}
+
+TEST(ReadNumberRows, ReadsNumbersBesideTheMiddleOfTwoDoubles) {
+  for (const char* token :
+       {"9007199254740993", "9007199254740993.0", "9007199254740992.999", "0.500000000000000166",
+        "0.50000000000000016653345369377348106354475021362304687500001", "1.7976931348623157e308",
+        "4.9406564584124654e-324", "2.4703282292062328e-324", "0.000000000000000000000000000001",
+        "123456789012345", "1234567890123456", "12345678901234567890", "999999999999999", "-0",
+        "-0.0", "0000000000000000000001.5", "1.000000000000000000000000000000000000001"}) {
+    expect_same(std::string(token) + " 1 2 3\n" + tail(4), 4);
+    expect_same("1 2 3 " + std::string(token) + "\n" + tail(4), 4);
+  }
+}
+
+TEST(ReadNumberRows, StopsAtWhatIsNoPlainRow) {
+  for (const char* odd : {"nan",
+                          "-nan",
+                          "inf",
+                          "infinity",
+                          "1e400",
+                          "1,5",
+                          "1_0",
+                          "0x10",
+                          "1.2.3",
+                          "--1",
+                          "+-1",
+                          "-",
+                          ".",
+                          "-.",
+                          "+",
+                          "e5",
+                          "1e",
+                          "1a",
+                          "a",
+                          "1-",
+                          "\xc2\xa0"
+                          "1",
+                          "1\x0b"
+                          "2",
+                          "1;",
+                          "#1",
+                          "\x01",
+                          "\x7f",
+                          "1\x80"}) {
+    for (std::size_t at = 0; at < 6; ++at) {
+      for (const std::size_t before : {0, 1, 3, 200}) {
+        std::string text;
+        for (std::size_t i = 0; i < before; ++i) text += "1.5 -2 3 4.25 5 6\n";
+        const std::size_t line = text.size();
+        for (std::size_t i = 0; i < 6; ++i) text += (i == at ? odd : "7.5") + std::string(" ");
+        text += "\n" + tail(6);
+        const ReadRows read = rows_of(text, 6);
+        EXPECT_LE(read.num_rows, before) << odd;
+        EXPECT_LE(read.next, line) << odd;
+      }
+    }
+  }
+}
+
+TEST(ReadNumberRows, StopsAtLinesOfAnotherLength) {
+  for (const char* line : {"1 2\n", "1 2 3 4\n", "\n", "  \n", "1 2 3\r1 2 3\n", "\r\n"}) {
+    const std::string before = "1 2 3\n4 5 6\n";
+    const ReadRows read = rows_of(before + line + tail(3), 3);
+    EXPECT_LE(read.num_rows, 2u) << line;
+    EXPECT_LE(read.next, before.size()) << line;
+  }
+}
+
+TEST(ReadNumberRows, StopsAtTheMostRows) {
+  const std::string text = tail(4) + tail(4);
+  EXPECT_LE(rows_of(text, 4, 3).num_rows, 3u);
+  EXPECT_EQ(rows_of(text, 4, 0).num_rows, 0u);
+  EXPECT_EQ(rows_of("", 4).num_rows, 0u);
+}
+
+TEST(ReadNumberRows, ReadsNothingOutsideOfTheText) {
+  Tokens tokens(3);
+  for (std::size_t shift = 0; shift < 70; ++shift) {
+    const std::string text = std::string(shift, '0') + tokens.lines(8, 9);
+    // Memory of just this size, so that the address sanitizer sees what is read around it.
+    const std::vector<char> exact(text.begin(), text.end());
+    const ReadRows expected = rows_one_by_one(text, 9);
+    const ReadRows read = rows_of({exact.data(), exact.size()}, 9);
+    ASSERT_LE(read.num_rows, expected.num_rows);
+    ASSERT_TRUE(same_bits(read.values, expected.values, read.values.size()));
+  }
+}
+
+TEST(ReadNumberRows, ReadsRowsLongerThanAPieceOrNone) {
+  Tokens tokens(4);
+  for (const std::size_t num_columns : {500u, 3000u, 6000u}) {
+    expect_same(tokens.lines(3, num_columns), num_columns);
+  }
+}
+
+}  // namespace
+}  // namespace kinefile::simd

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "files.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "baselines.hpp"
+#include "report.hpp"
+#include "subject.hpp"
+
+namespace kinefile::bench {
+namespace {
+
+void read_kinefile(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path, "bvh"));
+}
+
+void read_bare_loop(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().path);
+    benchmark::DoNotOptimize(sum_with_fast_float(numbers_of_bvh(bytes->view())));
+  }
+}
+
+void read_amc_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(read_or_exit(subject().amc_path, "amc"));
+  }
+}
+
+void read_amc_bare_loop(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().amc_path);
+    benchmark::DoNotOptimize(sum_words_with_fast_float(bytes->view()));
+  }
+}
+
+void read_seq_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(read_or_exit(subject().seq_path, "choreonoid"));
+  }
+}
+
+void read_seq_libyaml(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().seq_path);
+    benchmark::DoNotOptimize(sum_with_libyaml(bytes->view()));
+  }
+}
+
+void read_ifstream(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(sum_with_ifstream(subject().path));
+}
+
+void write_kinefile(benchmark::State& state) {
+  Document document;
+  document.content = subject().motion;
+  Diagnostics diagnostics;
+  std::size_t num_bytes = 0;
+  const Sink sink = [&num_bytes](std::string_view piece) {
+    num_bytes += piece.size();
+    return true;
+  };
+  for (auto _ : state) {
+    const auto written = find_format("bvh")->write(document, {}, sink, diagnostics);
+    if (!written) state.SkipWithError("not written");
+  }
+  benchmark::DoNotOptimize(num_bytes);
+}
+
+/// The most memory that a process needed which did some work on a file, as a multiple of the file's
+/// size.
+template <class Work>
+double peak_memory_ratio(const std::string& path, const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) _exit(work() ? 0 : 1);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  if (status != 0) return std::nan("");
+  return static_cast<double>(usage.ru_maxrss) * 1024 /
+         static_cast<double>(std::filesystem::file_size(path));
+}
+
+bool reads_and_places() {
+  const Document document = read_or_exit(subject().path, "bvh");
+  const Motion& motion = std::get<Motion>(document.content);
+  return world_extent(motion.skeleton, motion.clip).min.allFinite();
+}
+
+bool reads_seq() {
+  return std::holds_alternative<BodyMotion>(read_or_exit(subject().seq_path, "choreonoid").content);
+}
+
+}  // namespace
+
+void add_files() {
+  measure("read/kinefile", read_kinefile);
+  measure("read/bare_fast_float_loop", read_bare_loop);
+  measure("read/ifstream", read_ifstream);
+  measure("read_amc/kinefile", read_amc_kinefile);
+  measure("read_amc/bare_fast_float_loop", read_amc_bare_loop);
+  measure("read_seq/kinefile", read_seq_kinefile);
+  measure("read_seq/libyaml_strtod", read_seq_libyaml);
+  measure("write/kinefile", write_kinefile);
+  compare("reading BVH, against a bare fast_float loop", "read/kinefile",
+          "read/bare_fast_float_loop");
+  compare("reading BVH, against ifstream >>", "read/kinefile", "read/ifstream");
+  compare("reading AMC, against a bare fast_float loop", "read_amc/kinefile",
+          "read_amc/bare_fast_float_loop");
+  compare("reading .seq, against libyaml's events and strtod", "read_seq/kinefile",
+          "read_seq/libyaml_strtod");
+}
+
+void print_memory() {
+  const auto print = [](const char* what, double ratio) {
+    fmt::print("{:<58}{:.2f}\n", what, ratio);
+  };
+  print("peak memory of reading BVH, as a multiple of the file's size",
+        peak_memory_ratio(subject().path, reads_and_places));
+  print("peak memory of reading .seq, likewise", peak_memory_ratio(subject().seq_path, reads_seq));
+}
+
+}  // namespace kinefile::bench

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "subject.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "walk.hpp"
+
+namespace kinefile::bench {
+namespace {
+
+constexpr std::size_t kFrames = 88'000;
+
+Subject& instance() {
+  static Subject made;
+  return made;
+}
+
+void write_or_exit(const std::string& path, const Document& document, const char* format) {
+  Diagnostics diagnostics;
+  const auto written =
+      write_file(path, document, *find_format(format), {}, {.may_replace = true}, diagnostics);
+  if (written) return;
+  fmt::print(stderr, "{}\n", to_string(written.error()));
+  std::exit(1);
+}
+
+/// A root and 30 joints, some 50 MB as text.
+BodyMotion make_robot_motion() {
+  constexpr std::size_t kSeqFrames = 70'000;
+  BodyMotion motion;
+  const auto add = [&motion](ComponentKind kind, std::string_view content, std::size_t parts) {
+    Component& component = motion.components.emplace_back();
+    component.kind = kind;
+    component.content = content;
+    component.num_parts = parts;
+    component.num_frames = kSeqFrames;
+    component.timeline.given = FrameRate{500};
+    for (std::size_t i = 0; i < kSeqFrames * component.row_size(); ++i) {
+      component.values.push_back(std::sin(0.37 * static_cast<double>(i)));
+    }
+  };
+  add(ComponentKind::Poses, kLinkPosition, 1);
+  add(ComponentKind::Values, kJointDisplacement, 30);
+  return motion;
+}
+
+}  // namespace
+
+const Subject& subject() { return instance(); }
+
+Document read_or_exit(const std::string& path, const char* format) {
+  Diagnostics diagnostics;
+  auto document = read_file(path, find_format(format), {}, diagnostics);
+  if (!document) {
+    fmt::print(stderr, "{}\n", to_string(document.error()));
+    std::exit(1);
+  }
+  return std::move(*document);
+}
+
+void make_subject() {
+  std::string folder = std::filesystem::temp_directory_path() / "kinefile-bench.XXXXXX";
+  if (mkdtemp(folder.data()) == nullptr) {
+    fmt::print(stderr, "{} cannot be made\n", folder);
+    std::exit(1);
+  }
+  instance().folder = folder;
+  instance().path = folder + "/walk.bvh";
+  instance().amc_path = folder + "/walk.amc";
+  instance().seq_path = folder + "/robot.seq";
+  Document document;
+  document.content = examples::make_walk({.num_frames = kFrames});
+  write_or_exit(instance().path, document, "bvh");
+  Diagnostics diagnostics;
+  const auto bones = adapted_to(*find_format("amc"), std::move(document), {}, diagnostics);
+  write_or_exit(instance().amc_path, bones.value(), "amc");
+  Document robot;
+  robot.content = make_robot_motion();
+  write_or_exit(instance().seq_path, robot, "choreonoid");
+}
+
+void load_subject() {
+  instance().motion = std::get<Motion>(read_or_exit(subject().path, "bvh").content);
+}
+
+void remove_subject() { std::filesystem::remove_all(subject().folder); }
+
+}  // namespace kinefile::bench

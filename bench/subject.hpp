@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "kinefile/kinefile.hpp"
+
+namespace kinefile::bench {
+
+/// What the measurements work on: some 50 MB of a walk as BVH, as AMC with its skeleton beside it,
+/// and of a robot as .seq.
+struct Subject {
+  std::string folder;
+  std::string path;
+  std::string amc_path;
+  std::string seq_path;
+  Motion motion;  ///< of `path`; empty until `load_subject`
+};
+
+const Subject& subject();
+
+/// Writes the files of the subject to a new folder, or ends the program.
+void make_subject();
+void load_subject();
+void remove_subject();
+
+/// Reads a file, or ends the program.
+Document read_or_exit(const std::string& path, const char* format);
+
+}  // namespace kinefile::bench

@@ -49,6 +49,7 @@
 #include "kinefile/servo_map.hpp"
 #include "kinefile/shape.hpp"
 #include "kinefile/skeleton.hpp"
+#include "kinefile/threads.hpp"
 #include "kinefile/timeline.hpp"
 #include "kinefile/version.hpp"
 #include "kinefile/visual_shape.hpp"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -51,16 +50,22 @@ std::size_t utf8_length(std::string_view bytes, std::size_t i) {
   return 0;
 }
 
-/// The length of the valid UTF-8 prefix. Eight ASCII bytes are checked at a time, because nearly
+/// Whether the bytes of a block are ASCII. The loop has no branch, so that it becomes vectors.
+bool is_ascii_block(const char* block, std::size_t size) {
+  unsigned char bits = 0;
+  for (std::size_t i = 0; i < size; ++i) bits |= static_cast<unsigned char>(block[i]);
+  return bits < 0x80;
+}
+
+/// The length of the valid UTF-8 prefix. Many ASCII bytes are checked at a time, because nearly
 /// all of a motion file is digits.
 std::size_t valid_utf8_prefix(std::string_view bytes) {
-  constexpr std::uint64_t kHighBits = 0x8080808080808080u;
+  constexpr std::size_t kBlock = 256;
   std::size_t i = 0;
   while (i < bytes.size()) {
-    std::uint64_t word = kHighBits;
-    if (i + 8 <= bytes.size()) std::memcpy(&word, bytes.data() + i, 8);
-    if ((word & kHighBits) == 0) {
-      i += 8;
+    const bool is_block = i % kBlock == 0 && i + kBlock <= bytes.size();
+    if (is_block && is_ascii_block(bytes.data() + i, kBlock)) {
+      i += kBlock;
       continue;
     }
     const std::size_t length = utf8_length(bytes, i);

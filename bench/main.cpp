@@ -3,6 +3,7 @@
 
 #include "files.hpp"
 #include "keyframes.hpp"
+#include "kinefile/threads.hpp"
 #include "motions.hpp"
 #include "report.hpp"
 #include "subject.hpp"
@@ -11,6 +12,7 @@ namespace kinefile::bench {
 namespace {
 
 int run(int argc, char** argv) {
+  set_max_threads(1);  // measurements of several say so
   make_subject();
   print_memory();
   load_subject();

@@ -34,7 +34,7 @@ class Reporter : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
-      const bool by_clock = run.run_name.time_type == "real_time";
+      const bool by_clock = run.run_name.time_type.find("real_time") != std::string::npos;
       const double seconds = (by_clock ? run.real_accumulated_time : run.cpu_accumulated_time) /
                              static_cast<double>(run.iterations);
       auto [found, is_new] =
@@ -65,7 +65,11 @@ void print(const Reporter& reporter, const Line& line) {
 void measure(const std::string& name, void (*function)(benchmark::State&), Time time) {
   benchmark::internal::Benchmark* added = benchmark::RegisterBenchmark(name.c_str(), function);
   added->Unit(benchmark::kMillisecond)->Repetitions(kTurns)->ReportAggregatesOnly(false);
-  if (time == Time::Clock) added->UseRealTime();
+  if (time == Time::Clock) {
+    added->UseRealTime();
+  } else {
+    added->MeasureProcessCPUTime();
+  }
 }
 
 void compare(const std::string& what, const std::string& ours, const std::string& baseline) {

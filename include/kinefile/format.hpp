@@ -45,6 +45,14 @@ struct Resolver {
   std::function<std::vector<std::string>(std::string_view extension)> list = {};
 };
 
+/// The bytes of a file that are read piece by piece.
+struct ByteSource {
+  std::size_t size = 0;
+  /// Reads the bytes from a place on, all of which are in the file; false after a fault. May be
+  /// called from several threads at once.
+  std::function<bool(std::size_t offset, std::span<char> bytes)> read = {};
+};
+
 /// How to read a file.
 struct ReadOptions {
   std::string source_name = "<memory>";  ///< the name of the input in diagnostics
@@ -154,6 +162,11 @@ struct Format {
   /// Reads a document; null if the format is write-only. On failure every error is in
   /// `diagnostics`, and the first of them is returned.
   Result<Document> (*read)(std::string_view bytes, const ReadOptions&, Diagnostics&) = nullptr;
+
+  /// Reads a document without holding all bytes of its file, if the file is as plain as nearly all
+  /// are; empty for any other, which `read` reads. Null: the format always needs all bytes.
+  std::optional<Result<Document>> (*read_pieces)(const ByteSource&, const ReadOptions&,
+                                                 Diagnostics&) = nullptr;
 
   /// Writes a document; null if the format is read-only or a set of files.
   Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&) = nullptr;

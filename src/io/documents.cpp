@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/words.hpp"
+#include "io/file_pieces.hpp"
 #include "kinefile/io.hpp"
 
 namespace kinefile {
@@ -137,9 +138,34 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
   return format->read(bytes, options, diagnostics);
 }
 
+namespace {
+
+/// Reads a large and plain file without holding its bytes; empty for any other, which has to be
+/// read whole.
+std::optional<Result<Document>> read_large_file(const std::string& path, const Format* format,
+                                                ReadOptions options, Diagnostics& diagnostics) {
+  constexpr std::size_t kLarge = std::size_t{1} << 20;
+  if (path == "-" || options.opened != nullptr || !options.model_root.empty()) return std::nullopt;
+  const auto file = FilePieces::open(path, kLarge);
+  if (!file) return std::nullopt;
+  if (format == nullptr) format = detect_format(file->head(kHeadBytes), path);
+  if (format == nullptr || format->read_pieces == nullptr) return std::nullopt;
+  options.source_name = path;
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto document = format->read_pieces(file->source(), options, own);
+  if (!document || !file->is_unchanged()) return std::nullopt;
+  diagnostics.append(std::move(own));
+  return document;
+}
+
+}  // namespace
+
 Result<Document> read_file(const std::string& name, const Format* asked, ReadOptions options,
                            Diagnostics& diagnostics) {
   const std::string path = asked != nullptr ? path_in_set(name, *asked) : name;
+  if (auto document = read_large_file(path, asked, options, diagnostics))
+    return *std::move(document);
   const std::string source_name = path == "-" ? "<stdin>" : path;
   const auto bytes = open_recorded(path, source_name, options.opened);
   if (!bytes) return fail(bytes.error());

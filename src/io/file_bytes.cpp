@@ -8,6 +8,7 @@
 #include <cstring>
 #include <optional>
 
+#include "io/file_pieces.hpp"
 #include "io/system_calls.hpp"
 #include "kinefile/io.hpp"
 
@@ -42,13 +43,6 @@ std::optional<Array<char>> read_all(int descriptor, std::size_t likely_size) {
     const bool waits = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
     if (count < 0 && !(waits && wait_for(descriptor, POLLIN))) return std::nullopt;
   }
-}
-
-/// Whether a regular file is no longer what it was. Its time may stand still while it is written
-/// twice within one tick of the system's clock; its size tells most of these.
-bool has_changed(const struct stat& before, const struct stat& after) {
-  return before.st_size != after.st_size || before.st_mtim.tv_sec != after.st_mtim.tv_sec ||
-         before.st_mtim.tv_nsec != after.st_mtim.tv_nsec;
 }
 
 }  // namespace

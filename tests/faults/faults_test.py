@@ -67,19 +67,21 @@ JOBS = [
     Job("set", ["convert", "bow.seq", "h", "--to", "hrpsys"], ["h.pos", "h.waist", "h.hip"], False),
     Job("set over old", ["convert", "bow.seq", "h", "--to", "hrpsys", "--force"],
         ["h.pos", "h.waist", "h.hip"], True),
+    Job("large", ["fk", "large.bvh", "-o", "out.csv", "--frames", "0:9"], ["out.csv"], False),
 ]
-CALLS = ["open", "read", "write", "fsync", "rename", "link", "linkat", "close", "flock", "fchmod",
+CALLS = ["open", "read", "pread", "write", "fsync", "rename", "link", "linkat", "close", "flock", "fchmod",
          "fchown", "fstat", "stat", "lstat"]
 FAULTS = {"EIO": errno.EIO, "ENOSPC": errno.ENOSPC, "EINTR": errno.EINTR, "EAGAIN": errno.EAGAIN,
           "EPERM": errno.EPERM, "short": "short"}
 # These are no faults: what was begun is done again, or goes on.
 HARMLESS = {("open", "EINTR"), ("read", "EINTR"), ("write", "EINTR"), ("fsync", "EINTR"),
-            ("write", "short"), ("read", "short"), ("close", "EIO"), ("close", "ENOSPC"),
+            ("write", "short"), ("read", "short"), ("pread", "EIO"), ("pread", "EINTR"),
+            ("pread", "short"), ("close", "EIO"), ("close", "ENOSPC"),
             ("close", "EINTR"), ("flock", "EIO"), ("fchmod", "EPERM"), ("fchown", "EPERM")}
 
 
 def faults_of(call):
-    if call in ("read", "write"):
+    if call in ("read", "pread", "write"):
         return ["EIO", "ENOSPC", "EINTR", "short"]
     if call in ("link", "linkat", "fchmod", "fchown"):
         return ["EIO", "EPERM"]
@@ -95,8 +97,10 @@ class Folder(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="kinefile-faults."))
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "walk.bvh").write_text(bvh(20))
+        # Large enough to be read piece by piece.
+        (self.folder / "large.bvh").write_text(bvh(45_000))
         shutil.copy(EXAMPLES / "bow.seq", self.folder)
-        self.inputs = {"walk.bvh", "bow.seq"}
+        self.inputs = {"walk.bvh", "large.bvh", "bow.seq"}
 
     def run_command(self, words, env=None, **more):
         more = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}

@@ -109,6 +109,14 @@ ssize_t read(int descriptor, void* bytes, std::size_t size) {
   return -1;
 }
 
+ssize_t pread(int descriptor, void* bytes, std::size_t size, off_t offset) {
+  static const auto call = real<ssize_t(int, void*, std::size_t, off_t)>("pread");
+  if (!is_due("pread")) return call(descriptor, bytes, size, offset);
+  if (plan().is_short) return call(descriptor, bytes, (size + 1) / 2, offset);
+  errno = plan().fault;
+  return -1;
+}
+
 ssize_t write(int descriptor, const void* bytes, std::size_t size) {
   static const auto call = real<ssize_t(int, const void*, std::size_t)>("write");
   if (!is_due("write")) return call(descriptor, bytes, size);

@@ -9,6 +9,7 @@
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
 #include "formats/bvh/print.hpp"
+#include "formats/bvh/read_pieces.hpp"
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
@@ -112,6 +113,29 @@ SettledPositions settle_positions(const File& file, const text::Source& source,
   return settled;
 }
 
+}  // namespace
+
+Document document_of(File&& file, const text::Source& source, const TextLayout& layout,
+                     const kinefile::ReadOptions& options, Diagnostics& diagnostics) {
+  const bool has_motion = file.has_motion;
+  SettledPositions positions = settle_positions(file, source, options, diagnostics);
+  Document document;
+  document.format = "bvh";
+  document.kept = Kept(KeptFile{layout, std::move(positions.option)});
+  Motion motion = bvh::bind(std::move(file), positions.modes);
+  motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
+  motion.skeleton.up = options.up;
+  if (options.fps) motion.clip.timeline = {FrameRate{*options.fps}, 0};
+  if (has_motion) {
+    document.content = std::move(motion);
+  } else {
+    document.content = std::move(motion.skeleton);
+  }
+  return document;
+}
+
+namespace {
+
 /// Reads a document; `diagnostics` contains only messages about this file.
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
@@ -125,22 +149,7 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   const text::Source source(options.source_name, view);
   File file = parse(source, {options.lenient, options.fps.has_value()}, diagnostics);
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-
-  const bool has_motion = file.has_motion;
-  SettledPositions positions = settle_positions(file, source, options, diagnostics);
-  Document document;
-  document.format = "bvh";
-  document.kept = Kept(KeptFile{layout_of(*decoded, view), std::move(positions.option)});
-  Motion motion = bvh::bind(std::move(file), positions.modes);
-  motion.skeleton.metres_per_unit = options.metres_per_unit.value_or(0);
-  motion.skeleton.up = options.up;
-  if (options.fps) motion.clip.timeline = {FrameRate{*options.fps}, 0};
-  if (has_motion) {
-    document.content = std::move(motion);
-  } else {
-    document.content = std::move(motion.skeleton);
-  }
-  return document;
+  return document_of(std::move(file), source, layout_of(*decoded, view), options, diagnostics);
 }
 
 Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
@@ -205,6 +214,9 @@ Format format() {
   format.extensions = kExtensions;
   format.probe = probe;
   format.read = read;
+#ifndef __EMSCRIPTEN__  // a page has all bytes of its files
+  format.read_pieces = read_pieces;
+#endif
   format.write = write;
   format.facts = facts;
   format.adds_positions = were_positions_added;

@@ -201,7 +201,7 @@ void check_counts(Parser& parser, const Counts& counts, const char* body) {
 
 }  // namespace
 
-void parse_motion(Parser& parser) {
+std::optional<Body> parse_counts(Parser& parser) {
   parser.file.has_motion = true;
   Counts counts;
   const char* body = parser.scanner.position();
@@ -219,19 +219,20 @@ void parse_motion(Parser& parser) {
         Severity::Error, word.empty() ? code::kUnexpectedEnd : code::kUnexpectedWord,
         fmt::format("expected Frames:, Frame Time: or a row of numbers, found {}", quoted(word)),
         word.data());
-    if (word.empty()) return;
+    if (word.empty()) return std::nullopt;
     parser.scanner.take_line();
     body = parser.scanner.position();
   }
   check_counts(parser, counts, parser.scanner.peek().data());
   parser.file.frame_time = counts.frame_time.value_or(1.0 / 30);
-  parse_rows(parser, body, counts.num_frames,
-             counts.frames_at != nullptr ? counts.frames_at : body);
+  return Body{body, counts.num_frames, counts.frames_at != nullptr ? counts.frames_at : body};
 }
 
 File parse(const text::Source& source, const ParseOptions& options, Diagnostics& diagnostics) {
   Parser parser{source, options, diagnostics, text::Scanner(source.text()), {}};
-  if (parse_hierarchy(parser)) parse_motion(parser);
+  if (parse_hierarchy(parser)) {
+    if (const auto body = parse_counts(parser)) parse_rows(parser, *body);
+  }
   return std::move(parser.file);
 }
 

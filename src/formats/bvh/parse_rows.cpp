@@ -7,7 +7,7 @@
 
 #include "formats/bvh/codes.hpp"
 #include "formats/bvh/parser.hpp"
-#include "simd/number_rows.hpp"
+#include "text/number_lines.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::bvh {
@@ -23,8 +23,7 @@ constexpr std::size_t kBytesPerNumber = 2;
 
 struct Rows {
   Parser& parser;
-  std::optional<std::size_t> claim;
-  const char* claim_at;
+  Body body;
   std::size_t num_columns;
   std::span<double> row = {};    ///< the current row: the last of `values`
   std::size_t num_seen = 0;      ///< rows seen so far, including faulty ones
@@ -45,10 +44,8 @@ struct Rows {
   void close_rows() { file().values.resize(file().num_frames * num_columns); }
 };
 
-/// The number of rows that the rest of the file could contain if every number had one digit.
 std::size_t most_rows(const Rows& rows, const char* begin) {
-  const auto num_bytes = static_cast<std::size_t>(rows.end() - begin);
-  return num_bytes / (kBytesPerNumber * std::max<std::size_t>(rows.num_columns, 1)) + 1;
+  return most_rows(rows.parser.file, static_cast<std::size_t>(rows.end() - begin));
 }
 
 /// Reports a count that is far too large for the file: this is not a truncated clip, but a wrong
@@ -57,15 +54,16 @@ void check_claim(Rows& rows, const char* begin) {
   constexpr std::size_t kFarTooMany = 1000;
   constexpr std::size_t kManyNumbers = std::size_t{1} << 27;  // 1 GiB of doubles
   const std::size_t most = most_rows(rows, begin);
-  if (!rows.claim || *rows.claim <= most) return;
+  if (!rows.body.claim || *rows.body.claim <= most) return;
   const std::size_t num_columns = rows.num_columns;
-  if (*rows.claim / kFarTooMany < most && *rows.claim < kManyNumbers / num_columns) return;
+  if (*rows.body.claim / kFarTooMany < most && *rows.body.claim < kManyNumbers / num_columns)
+    return;
   rows.parser.repair(code::kImpossibleCount,
                      fmt::format("expected {} frames of {} numbers, found {} bytes, which hold {} "
                                  "at the most",
-                                 *rows.claim, rows.num_columns, rows.end() - begin, most),
-                     "the rows that are there are read", rows.claim_at);
-  rows.claim.reset();
+                                 *rows.body.claim, rows.num_columns, rows.end() - begin, most),
+                     "the rows that are there are read", rows.body.claim_at);
+  rows.body.claim.reset();
 }
 
 /// Reserves memory for the rows, estimated from the length of the first line. The count in the file
@@ -77,7 +75,7 @@ void reserve_rows(Rows& rows, const char* begin) {
   const auto line_bytes = static_cast<std::size_t>(line_end - line) + 1;
   const std::size_t num_likely = num_bytes / line_bytes + num_bytes / line_bytes / 16 + 1;
   const std::size_t num_rows =
-      rows.claim ? *rows.claim : std::min(num_likely, most_rows(rows, begin));
+      rows.body.claim ? *rows.body.claim : std::min(num_likely, most_rows(rows, begin));
   // While the file is read, one extra row is open.
   rows.num_reserved = std::min(num_rows, most_rows(rows, begin)) + 1;
   rows.file().values.reserve(rows.num_reserved * rows.num_columns);
@@ -134,9 +132,10 @@ std::size_t count_tokens_in_line(const Rows& rows, const char* begin) {
 /// with any line breaks. Computed once: the answer for a later line would be the same.
 bool is_stream(Rows& rows, const char* begin) {
   if (std::exchange(rows.is_stream_refuted, true)) return false;
-  if (!rows.claim || *rows.claim <= rows.parser.file.num_frames) return false;
-  if (*rows.claim > most_rows(rows, rows.parser.source.text().data())) return false;
-  const std::size_t num_missing = (*rows.claim - rows.parser.file.num_frames) * rows.num_columns;
+  if (!rows.body.claim || *rows.body.claim <= rows.parser.file.num_frames) return false;
+  if (*rows.body.claim > most_rows(rows, rows.parser.source.text().data())) return false;
+  const std::size_t num_missing =
+      (*rows.body.claim - rows.parser.file.num_frames) * rows.num_columns;
   text::Scanner scanner({begin, static_cast<std::size_t>(rows.end() - begin)});
   std::size_t count = 0;
   for (std::string_view token = scanner.take(); !token.empty(); token = scanner.take()) {
@@ -159,11 +158,11 @@ void read_stream(Rows& rows, const char* begin) {
       fmt::format("expected a row of {} numbers, found {}; since the rest holds just "
                   "the numbers of {} frames, line ends are passed over",
                   rows.num_columns, count_tokens_in_line(rows, begin),
-                  *rows.claim - rows.file().num_frames),
+                  *rows.body.claim - rows.file().num_frames),
       begin);
   rows.close_rows();
   std::span<double> missing =
-      rows.file().values.grow((*rows.claim - rows.file().num_frames) * rows.num_columns);
+      rows.file().values.grow((*rows.body.claim - rows.file().num_frames) * rows.num_columns);
   const auto take = [&missing](std::size_t count) { missing = missing.subspan(count); };
   const char* p = begin;
   while (p != rows.end()) {
@@ -183,7 +182,7 @@ void read_stream(Rows& rows, const char* begin) {
     }
     p = rows.parser.scanner.position();
   }
-  rows.file().num_frames = *rows.claim;
+  rows.file().num_frames = *rows.body.claim;
 }
 
 /// Whether some line from here on starts with a number. The result is remembered, so that all calls
@@ -205,7 +204,7 @@ bool has_row(Rows& rows, const char* begin) {
 /// Whether the text from here on is not part of the motion: all frames were read, and no line of
 /// it starts with a number.
 bool is_trailing_text(Rows& rows, const char* begin) {
-  return rows.claim && rows.num_seen >= *rows.claim && !has_row(rows, begin);
+  return rows.body.claim && rows.num_seen >= *rows.body.claim && !has_row(rows, begin);
 }
 
 void report_row_length(Rows& rows, const OddRow& odd) {
@@ -266,20 +265,20 @@ std::size_t rows_at_once(const Rows& rows, const char* p) {
   return std::min(left, most_rows(rows, p));
 }
 
-/// Reads plain rows, many at once, as far as they go. The row that was open is one of them.
-/// \returns the first line that is not one of them
-const char* read_plain_rows(Rows& rows, const char* begin) {
+/// Reads rows and empty lines as far as they go. The row that was open is one of them.
+/// \returns  the first line that is neither
+const char* read_good_lines(Rows& rows, const char* begin) {
   const char* p = begin;
   rows.close_rows();
   for (bool is_more = true; is_more;) {
     const std::size_t most = rows_at_once(rows, p);
     double* const out = rows.file().values.grow(most * rows.num_columns).data();
-    const simd::NumberRows read =
-        simd::read_number_rows(p, rows.end(), rows.num_columns, most, out);
+    const text::NumberLines read =
+        text::read_number_lines(p, rows.end(), rows.num_columns, most, out);
     rows.file().num_frames += read.num_rows;
     rows.num_seen += read.num_rows;
     rows.close_rows();
-    is_more = read.num_rows == most;
+    is_more = read.num_rows == most && read.next != rows.end();
     p = read.next;
   }
   rows.open_row();
@@ -287,30 +286,10 @@ const char* read_plain_rows(Rows& rows, const char* begin) {
 }
 
 void read_rows(Rows& rows, const char* begin) {
-  constexpr std::size_t kMostLines = 64;
   rows.open_row();
-  const char* p = begin;
-  // Where many lines are odd, rows are looked for the less often, so that no byte is looked at many
-  // times.
-  std::size_t num_lines = 1, num_lines_left = 0;
-  while (p != rows.end()) {
-    if (num_lines_left-- == 0) {
-      const char* const plain_end = read_plain_rows(rows, p);
-      num_lines = plain_end == p ? std::min(2 * num_lines, kMostLines) : 1;
-      num_lines_left = num_lines;
-      p = plain_end;
-      continue;
-    }
-    const NumberRow read = text::read_number_row(p, rows.end(), rows.row.data(), rows.num_columns);
-    if (read.end == RowEnd::EndOfLine && read.count == rows.num_columns) {
-      rows.keep_row();
-      ++rows.num_seen;
-      p = read.next;
-    } else if (read.end == RowEnd::EndOfLine && read.count == 0) {
-      p = read.next;
-    } else {
-      p = read_odd_line(rows, p);
-    }
+  for (const char* p = begin; p != rows.end();) {
+    p = read_good_lines(rows, p);
+    if (p != rows.end()) p = read_odd_line(rows, p);
   }
   rows.close_rows();
 }
@@ -334,7 +313,7 @@ void read_empty_rows(Rows& rows, const char* begin) {
         fmt::format("expected no numbers, since no joint has channels, found {}", quoted(word)),
         word.data());
   }
-  rows.file().num_frames = std::min(rows.claim.value_or(num_lines), num_lines);
+  rows.file().num_frames = std::min(rows.body.claim.value_or(num_lines), num_lines);
 }
 
 /// Reports words that are not numbers; used when the length of rows is unknown.
@@ -347,33 +326,39 @@ void check_tokens(Parser& parser) {
   }
 }
 
-void compare_with_claim(Rows& rows) {
-  const std::size_t num_frames = rows.file().num_frames;
-  if (!rows.claim || rows.parser.diagnostics.has_errors() || *rows.claim == num_frames) return;
-  rows.parser.report(
-      Severity::Warning, num_frames > *rows.claim ? code::kMoreRows : code::kFewerRows,
-      fmt::format("expected as many rows as Frames says, {}, found {}; those are read", *rows.claim,
-                  num_frames),
-      rows.claim_at);
-}
-
 }  // namespace
 
-void parse_rows(Parser& parser, const char* begin, std::optional<std::size_t> claim,
-                const char* claim_at) {
+void count_columns(File& file) {
+  file.num_columns = 0;
+  for (const Node& node : file.nodes) file.num_columns += node.channels.size();
+}
+
+std::size_t most_rows(const File& file, std::size_t num_bytes) {
+  return num_bytes / (kBytesPerNumber * std::max<std::size_t>(file.num_columns, 1)) + 1;
+}
+
+void compare_with_claim(const text::Source& source, const Body& body, std::size_t num_frames,
+                        Diagnostics& diagnostics) {
+  if (!body.claim || diagnostics.has_errors() || *body.claim == num_frames) return;
+  text::report(source, diagnostics, Severity::Warning,
+               num_frames > *body.claim ? code::kMoreRows : code::kFewerRows,
+               fmt::format("expected as many rows as Frames says, {}, found {}; those are read",
+                           *body.claim, num_frames),
+               body.claim_at);
+}
+
+void parse_rows(Parser& parser, const Body& body) {
   if (!parser.is_structure_sound) return check_tokens(parser);
-  std::size_t num_columns = 0;
-  for (const Node& node : parser.file.nodes) num_columns += node.channels.size();
-  parser.file.num_columns = num_columns;
-  Rows rows{parser, claim, claim_at, num_columns};
-  if (num_columns == 0) {
-    read_empty_rows(rows, begin);
+  count_columns(parser.file);
+  Rows rows{parser, body, parser.file.num_columns};
+  if (rows.num_columns == 0) {
+    read_empty_rows(rows, body.begin);
   } else {
-    check_claim(rows, begin);
-    reserve_rows(rows, begin);
-    read_rows(rows, begin);
+    check_claim(rows, body.begin);
+    reserve_rows(rows, body.begin);
+    read_rows(rows, body.begin);
   }
-  compare_with_claim(rows);
+  compare_with_claim(parser.source, rows.body, parser.file.num_frames, parser.diagnostics);
 }
 
 }  // namespace kinefile::bvh

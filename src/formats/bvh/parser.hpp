@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "formats/bvh/syntax.hpp"
@@ -48,15 +49,28 @@ struct Parser {
 /// read.
 bool parse_hierarchy(Parser& parser);
 
-/// Reads what follows MOTION: the counts, then the rows.
-void parse_motion(Parser& parser);
+/// Where the rows of a motion begin, and how many the file says there are.
+struct Body {
+  const char* begin = nullptr;  ///< the first row, or the rest of the line before it
+  std::optional<std::size_t> claim;
+  const char* claim_at = nullptr;  ///< the place of that count, or of the first row
+};
+
+/// Reads what follows MOTION up to the rows; empty if there are none to read.
+std::optional<Body> parse_counts(Parser& parser);
 
 /// Reads the rows of numbers up to the end of the text.
-/// \param begin     where they start, or the rest of the previous line
-/// \param claim     the count of frames in the file, if there is one
-/// \param claim_at  the place of that count
-void parse_rows(Parser& parser, const char* begin, std::optional<std::size_t> claim,
-                const char* claim_at);
+void parse_rows(Parser& parser, const Body& body);
+
+/// Sets the number of columns by the nodes' channels.
+void count_columns(File& file);
+
+/// The largest number of rows that some bytes could contain: if every number had one digit.
+std::size_t most_rows(const File& file, std::size_t num_bytes);
+
+/// Reports a count that is not that of the rows that were read.
+void compare_with_claim(const text::Source& source, const Body& body, std::size_t num_frames,
+                        Diagnostics& diagnostics);
 
 /// Reads one number of the hierarchy or of the counts, with a diagnostic if it is not a number.
 /// \param what  the expected text, for the message: "3 numbers after OFFSET"

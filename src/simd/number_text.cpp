@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Numbers become text several at a time, those that a program reads from a file or computes to some
-// decimals. With d decimals, a number v is k / 10^d, and the digits of the whole number k are its
-// text.
+// Numbers become text several at a time. With d decimals, a number v is k / 10^d, and the digits of
+// the whole number k are its text.
 //
-// Fixed decimals: s = v 10^d is rounded once (10^d is exact), so it is wrong by 2^-53 s at most. k
+// Fixed decimals: s = v 10^d is rounded once (10^d is exact), so it is wrong by 2^-53 s at most; k
 // is s rounded to the nearest whole number. If s is farther than that from the middle between two
-// whole numbers, then k is what the exact product rounds to. Twice four times as much is demanded,
-// which covers the rounding of the test.
+// whole numbers, then k is what the exact product rounds to. Eight times as much is demanded, which
+// covers the rounding of the test itself. Exact middles are among what is left.
 //
 // The shortest text: if the double k / 10^d is v, and k has 15 digits at most, then k's digits
 // without trailing zeros are the shortest text of v, and the only one of that length:
 // - It reads back as v, because k < 2^53 and 10^d (d <= 22) are exact doubles, so that the quotient
 //   is what a correct reader makes of the text (Clinger, "How to Read Floating Point Numbers
 //   Accurately", 1990).
-// - Different decimals of at most 15 digits are different doubles in the range of normal doubles,
-//   since 10^15 < 2^53 / 8 (Matula, "In-and-out conversions", 1968). So no other text of at most 15
-//   digits reads back as v, whether shorter or as long.
+// - Different decimals of at most 15 digits are different doubles, since 10^15 < 2^52 (Matula,
+//   "In-and-out Conversions", 1968; none here is near the subnormal doubles). So no other text of
+//   at most 15 digits reads back as v, whether shorter or as long.
 // Which d is tried does not matter for that. The most decimals that leave 15 digits are tried, so
-// that all numbers with fewer decimals are found at once: for v = fl(m / 10^d), s is wrong by 2^-52
-// m < 0.23, so that k = m.
+// that numbers with fewer are found, too, without a guess: for v = fl(k / 10^d), s is wrong by
+// 2^-52 k < 0.23, so that k is found again.
 //
 // The digits of k < 10^15: two halves of 8 digits by doubles, then fours, pairs and digits by
 // products with rounded-up reciprocals, which are exact in these ranges (Granlund and Montgomery,
@@ -26,9 +25,10 @@
 // which makes room for the point. One shuffle takes out leading zeros and puts the point in its
 // place; trailing zeros are overwritten.
 //
-// What is not in this range (nan, infinities, 10^15 and more, below 10^-4, near the middle, more
-// digits) is left to fmt, number by number, so that it does not slow its neighbours.
-// Highway compiles this file once for every instruction set and selects one at run time.
+// Longer shortest texts have the digits that fmt finds (Jeon, "Dragonbox", 2020), and the same
+// kernel prints them. What remains (nan, infinities, 10^15 and more, below 10^-4, near the middle)
+// is left to fmt, number by number, so that it does not slow its neighbours. Highway compiles this
+// file once for every instruction set and selects one at run time.
 
 #include "simd/number_text.hpp"
 

@@ -100,6 +100,7 @@ inline void append_odd_number(double number, const NumberSpelling& spelling,
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
 namespace HWY_NAMESPACE {
+namespace {  // other files have kernels with types of the same names
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 
 void append_all(std::span<const double> numbers, std::string_view separator,
@@ -445,6 +446,7 @@ void append_all(std::span<const double> numbers, std::string_view separator,
 
 #endif  // HWY_TARGET
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace kinefile::simd
 HWY_AFTER_NAMESPACE();

@@ -32,8 +32,6 @@
 
 #include "simd/number_text.hpp"
 
-#include <fmt/compile.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -81,10 +79,10 @@ inline void append_odd_number(double number, const NumberSpelling& spelling,
     append_text(std::isnan(number) ? "nan" : number > 0 ? "inf" : "-inf", out);
     append_text(quote, out);
   } else if (spelling.decimals) {
-    fmt::format_to(std::back_inserter(out), FMT_COMPILE("{:.{}f}"), number, *spelling.decimals);
+    fmt::format_to(std::back_inserter(out), "{:.{}f}", number, *spelling.decimals);
   } else {
     const std::size_t begin = out.size();
-    fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), number);
+    fmt::format_to(std::back_inserter(out), "{}", number);
     if (spelling.points_exponents) point_exponent(begin, out);
   }
 }

@@ -5,6 +5,7 @@
 #include "keyframes.hpp"
 #include "kinefile/threads.hpp"
 #include "motions.hpp"
+#include "printing.hpp"
 #include "report.hpp"
 #include "subject.hpp"
 
@@ -17,6 +18,7 @@ int run(int argc, char** argv) {
   print_memory();
   load_subject();
   add_files();
+  add_printing();
   add_motions();
   const bool has_run = run_and_print(argc, argv);
   if (has_run) {

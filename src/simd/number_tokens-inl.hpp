@@ -10,6 +10,8 @@
 // byte that is no digit, sign in front or first point shows as a digit above 9: such a token is not
 // read.
 
+#include "simd/lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
 namespace HWY_NAMESPACE {
@@ -19,18 +21,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Bytes = hn::CappedTag<std::uint8_t, 32>;
 using Block = hn::FixedTag<std::uint8_t, 16>;
 
-/// A bit for each byte.
-template <class D, class Mask>
-HWY_INLINE std::uint64_t bits_of(D d, Mask mask) {
-  // Of the very size that is stored, or the processor waits for the store.
-  std::conditional_t<hn::MaxLanes(D()) == 16, std::uint16_t, std::uint32_t> bits = 0;
-  std::uint8_t bytes[8];
-  hn::StoreMaskBits(d, mask, bytes);
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-
 using DoubleLanes = hn::CappedTag<double, 4>;
+
 /// Loads 16 bytes of each of `hn::Lanes(d) / 16` addresses.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const std::uint8_t* const* from) {
@@ -40,18 +32,6 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const std::uint8_t* const* from) {
     const hn::Half<D> half;
     constexpr std::size_t kHalf = hn::MaxLanes(D()) / 32;
     return hn::Combine(d, load_blocks(half, from + kHalf), load_blocks(half, from));
-  }
-}
-
-/// Loads a double from each of `hn::Lanes(d)` addresses.
-template <class D>
-HWY_INLINE hn::Vec<D> load_each(D d, const double* const* from) {
-  if constexpr (hn::MaxLanes(D()) == 1) {
-    return hn::LoadU(d, from[0]);
-  } else {
-    const hn::Half<D> half;
-    constexpr std::size_t kHalf = hn::MaxLanes(D()) / 2;
-    return hn::Combine(d, load_each(half, from + kHalf), load_each(half, from));
   }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text/printer.hpp"
 
-#include <cmath>
-#include <iterator>
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -10,52 +9,43 @@ namespace kinefile::text {
 namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
+constexpr std::size_t kPieceNumbers = 1024;
 
 }  // namespace
 
 void Printer::print(std::string_view text) {
   buffer_.append(text.data(), text.data() + text.size());
-  if (buffer_.size() >= kPieceBytes) hand_on();
-}
-
-void Printer::print(double number) {
-  append(number);
-  if (buffer_.size() >= kPieceBytes) hand_on();
-}
-
-void Printer::append(double number) {
-  if (std::isnan(number)) {
-    constexpr std::string_view kNan = "nan";  // its sign has no meaning, and its spelling varies
-    buffer_.append(kNan.data(), kNan.data() + kNan.size());
-  } else if (decimals_) {
-    fmt::format_to(std::back_inserter(buffer_), "{:.{}f}", number, *decimals_);
-  } else {
-    fmt::format_to(std::back_inserter(buffer_), "{}", number);
-  }
+  hand_on_if_full();
 }
 
 void Printer::print_exact(double number) {
-  const std::optional<int> decimals = std::exchange(decimals_, std::nullopt);
+  const std::optional<int> decimals = std::exchange(spelling_.decimals, std::nullopt);
   print(number);
-  decimals_ = decimals;
+  spelling_.decimals = decimals;
 }
 
-void Printer::print_yaml(double number) {
-  const std::size_t start = buffer_.size();
-  append(number);
-  const std::string_view text(buffer_.data() + start, buffer_.size() - start);
-  const std::size_t exponent = text.find('e');
-  if (exponent != std::string_view::npos && text.find('.') == std::string_view::npos) {
-    const std::string pointed = ".0" + std::string(text.substr(exponent));
-    buffer_.resize(start + exponent);
-    buffer_.append(pointed.data(), pointed.data() + pointed.size());
+void Printer::print_row(std::span<const double> numbers, std::string_view separator) {
+  while (!numbers.empty()) {
+    const auto piece = numbers.first(std::min(kPieceNumbers, numbers.size()));
+    numbers = numbers.subspan(piece.size());
+    simd::append_numbers(piece, separator, spelling_, buffer_);
+    if (numbers.empty()) buffer_.resize(buffer_.size() - separator.size());
+    hand_on_if_full();
   }
-  if (buffer_.size() >= kPieceBytes) hand_on();
+}
+
+void Printer::continue_row(std::span<const double> numbers, std::string_view separator) {
+  if (!numbers.empty()) print(separator);
+  print_row(numbers, separator);
 }
 
 bool Printer::finish() {
   hand_on();
   return is_good_;
+}
+
+void Printer::hand_on_if_full() {
+  if (buffer_.size() >= kPieceBytes) hand_on();
 }
 
 void Printer::hand_on() {

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+
+#include "simd/number_text.hpp"
 
 namespace kinefile::text {
 
@@ -13,30 +16,30 @@ namespace kinefile::text {
 class Printer {
  public:
   /// \param sink      receives the pieces; printing ends if it returns false
-  /// \param decimals  digits after the point of every number; absent: the shortest form that reads
-  /// back as the same double
+  /// \param spelling  of every number
   explicit Printer(const std::function<bool(std::string_view)>& sink,
-                   std::optional<int> decimals = std::nullopt)
-      : sink_(sink), decimals_(decimals) {}
+                   const simd::NumberSpelling& spelling = {})
+      : sink_(sink), spelling_(spelling) {}
 
   void print(std::string_view text);
-  void print(double number);
+  void print(double number) { print_row({&number, 1}, {}); }
   /// Prints a number in its shortest exact form, whatever `decimals` is: for times and counts.
   void print_exact(double number);
-  /// As `print`, with a point in numbers that have an exponent: without it, some readers of YAML
-  /// read 1e-05 as a word.
-  void print_yaml(double number);
+  /// Prints numbers with a separator, of two characters at most, between them.
+  void print_row(std::span<const double> numbers, std::string_view separator);
+  /// Prints numbers behind something else: with a separator before each.
+  void continue_row(std::span<const double> numbers, std::string_view separator);
   void print(char character) { buffer_.push_back(character); }
 
   /// Passes on the rest. Returns false if the sink ever returned false.
   bool finish();
 
  private:
-  void append(double number);
+  void hand_on_if_full();
   void hand_on();
 
   const std::function<bool(std::string_view)>& sink_;
-  std::optional<int> decimals_;
+  simd::NumberSpelling spelling_;
   fmt::memory_buffer buffer_;
   bool is_good_ = true;
 };

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace kinefile::text {
 namespace {
@@ -18,7 +19,7 @@ std::string printed(double number, std::optional<int> decimals = std::nullopt) {
     text += piece;
     return true;
   };
-  Printer printer(sink, decimals);
+  Printer printer(sink, {.decimals = decimals});
   printer.print(number);
   EXPECT_TRUE(printer.finish());
   return text;
@@ -46,15 +47,15 @@ TEST(Printer, PrintsWhatReadsBackAsTheSameBits) {
   }
 }
 
-TEST(Printer, PutsAPointIntoEveryYamlExponent) {
+TEST(Printer, PutsAPointIntoEveryExponent) {
   std::string text;
   const std::function<bool(std::string_view)> sink = [&text](std::string_view piece) {
     text += piece;
     return true;
   };
-  Printer printer(sink);
+  Printer printer(sink, {.points_exponents = true});
   for (int i = 0; i < 120'000; ++i) {
-    printer.print_yaml(1e-5);
+    printer.print(1e-5);
     printer.print(' ');
   }
   EXPECT_TRUE(printer.finish());
@@ -70,6 +71,25 @@ TEST(Printer, PrintsSoManyDecimals) {
   EXPECT_EQ(printed(1.0 / 3, 4), "0.3333");
   EXPECT_EQ(printed(2, 2), "2.00");
   EXPECT_EQ(printed(-1.5, 0), "-2");
+}
+
+TEST(Printer, PrintsRowsOfEachLength) {
+  for (const std::size_t count : {0u, 1u, 2u, 1023u, 1024u, 1025u, 5000u}) {
+    const std::vector<double> numbers(count, 0.5);
+    std::string text;
+    const std::function<bool(std::string_view)> sink = [&text](std::string_view piece) {
+      text += piece;
+      return true;
+    };
+    Printer printer(sink);
+    printer.print_row(numbers, ", ");
+    printer.continue_row(numbers, " ");
+    EXPECT_TRUE(printer.finish());
+    std::string expected;
+    for (std::size_t i = 0; i < count; ++i) expected += i == 0 ? "0.5" : ", 0.5";
+    for (std::size_t i = 0; i < count; ++i) expected += " 0.5";
+    EXPECT_EQ(text, expected);
+  }
 }
 
 TEST(Printer, StopsWhenTheSinkDoes) {

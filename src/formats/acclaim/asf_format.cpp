@@ -66,7 +66,7 @@ Result<void> write_asf(const Document& document, const WriteOptions& options, co
   const KeptFile kept = kept_file_of(document);
   auto unbound = unbind(skeleton_of(document), kept);
   if (!unbound) return fail(std::move(unbound.error()));
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, {.decimals = options.decimals});
   print_asf(printer, unbound->file, line_end_of(kept.text));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   return {};

@@ -177,15 +177,15 @@ void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading&
   Writer writer{printer, line_end};
   print_heading(writer, unbound, heading, clip.timeline);
   const std::vector<std::size_t> order = line_order(unbound, heading.bone_order);
+  std::vector<double> numbers;
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = clip.row(f);
     writer.line(std::to_string(heading.first_frame_number + static_cast<std::int64_t>(f)));
     for (const std::size_t i : order) {
       printer.print(i == 0 ? std::string_view("root") : unbound.file.bones[i - 1].name);
-      for (const std::size_t c : unbound.columns[i]) {
-        printer.print(' ');
-        printer.print(row[c]);
-      }
+      numbers.clear();
+      for (const std::size_t c : unbound.columns[i]) numbers.push_back(row[c]);
+      printer.continue_row(numbers, " ");
       printer.print(line_end);
     }
   }

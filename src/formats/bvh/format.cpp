@@ -179,7 +179,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   }
   const KeptFile* const kept = document.kept.get<KeptFile>();
   const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, {.decimals = options.decimals});
   print_hierarchy(printer, unbound->file, line_end);
   if (motion != nullptr) {
     print_motion(printer, *unbound, motion->clip, line_end);

@@ -24,10 +24,7 @@ struct Writer {
   void offset(std::size_t depth, const std::array<double, 3>& numbers) {
     indent(depth);
     printer.print("OFFSET");
-    for (const double number : numbers) {
-      printer.print(' ');
-      printer.print(number);
-    }
+    printer.continue_row(numbers, " ");
     printer.print(line_end);
   }
 };
@@ -79,12 +76,11 @@ void print_motion(text::Printer& printer, const Unbound& unbound, const Clip& cl
   writer.line(0, "MOTION");
   writer.line(0, fmt::format("Frames: {}", clip.num_frames));
   writer.line(0, fmt::format("Frame Time: {}", frame_time(clip.timeline)));
+  std::vector<double> in_order(unbound.column_of.size());
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
     const auto row = clip.row(f);
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      if (c > 0) printer.print(' ');
-      printer.print(row[unbound.column_of.empty() ? c : unbound.column_of[c]]);
-    }
+    for (std::size_t c = 0; c < in_order.size(); ++c) in_order[c] = row[unbound.column_of[c]];
+    printer.print_row(in_order.empty() ? row : in_order, " ");
     printer.print(line_end);
   }
 }

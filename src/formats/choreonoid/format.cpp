@@ -235,7 +235,10 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   const auto file =
       unbind(document, options.of_formats.get<choreonoid::WriteOptions>(), diagnostics);
   if (!file) return fail(file.error());
-  text::Printer printer(sink, options.decimals);
+  // Without a point in numbers with an exponent, some readers of YAML read 1e-05 as a word.
+  text::Printer printer(
+      sink,
+      {.decimals = options.decimals, .points_exponents = true, .quotes_non_finite = file->is_json});
   const KeptFile* const kept = document.kept.get<KeptFile>();
   print_file(printer, *file, kept == nullptr ? "\n" : line_end_of(kept->text));
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));

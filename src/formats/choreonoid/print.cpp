@@ -209,36 +209,46 @@ class SeqPrinter {
     const double* row = values.data() + frame * width * component.num_parts;
     printer_.print("[ ");
     if (has_own_times(component.timeline)) {
-      print_number(own_times(component.timeline)[frame]);
+      print_numbers({&own_times(component.timeline)[frame], 1});
       printer_.print(", ");
     }
-    for (std::size_t p = 0; p < component.num_parts; ++p) {
-      if (p > 0) printer_.print(", ");
-      if (is_pose) printer_.print("[ ");
-      for (std::size_t k = 0; k < width; ++k) {
-        if (k > 0) printer_.print(", ");
-        // w x y z of the model, and the file's x y z w
-        const bool is_w_last = printed.pose_order == PoseOrder::QuaternionWLast && is_pose && k > 2;
-        print_number(row[p * width + (!is_w_last ? k : k == 6 ? 3 : k + 1)]);
+    if (is_pose) {
+      for (std::size_t p = 0; p < component.num_parts; ++p) {
+        if (p > 0) printer_.print(", ");
+        print_pose({row + p * width, width}, printed.pose_order);
       }
-      if (is_pose) printer_.print(" ]");
+    } else {
+      print_numbers({row, width * component.num_parts});
     }
     printer_.print(" ]");
   }
 
-  void print_number(double value) {
-    if (!std::isfinite(value)) {
-      const bool is_quoted = file_.is_json;
-      if (is_quoted) printer_.print('"');
-      printer_.print(value);
-      if (is_quoted) printer_.print('"');
+  void print_pose(std::span<const double> pose, PoseOrder order) {
+    printer_.print("[ ");
+    if (order == PoseOrder::QuaternionWLast) {
+      // w x y z of the model, and the file's x y z w
+      const std::array<double, 7> w_last = {pose[0], pose[1], pose[2], pose[4],
+                                            pose[5], pose[6], pose[3]};
+      print_numbers(w_last);
+    } else {
+      print_numbers(pose);
+    }
+    printer_.print(" ]");
+  }
+
+  void print_numbers(std::span<const double> numbers) {
+    if (!file_.choreonoid_digits) {
+      printer_.print_row(numbers, ", ");
       return;
     }
-    if (file_.choreonoid_digits) {
-      printer_.print(fmt::format("{:.9g}", value));
-      return;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (i > 0) printer_.print(", ");
+      if (std::isfinite(numbers[i])) {
+        printer_.print(fmt::format("{:.9g}", numbers[i]));
+      } else {
+        printer_.print(numbers[i]);
+      }
     }
-    printer_.print_yaml(value);
   }
 
   text::Printer& printer_;

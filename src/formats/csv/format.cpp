@@ -56,7 +56,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
                            "expected a motion to write as CSV, found a skeleton alone"));
   }
   if (auto taken = expect_kind(document, kWrites, "a motion to write as CSV"); !taken) return taken;
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, {.decimals = options.decimals});
   printer.print("time");
   for (const std::string& name : column_names(motion->skeleton)) {
     printer.print(',');
@@ -65,10 +65,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
   printer.print('\n');
   for (std::size_t f = 0; f < motion->clip.num_frames; ++f) {
     printer.print_exact(time_of_frame(motion->clip.timeline, f));
-    for (const double value : motion->clip.row(f)) {
-      printer.print(',');
-      printer.print(value);
-    }
+    printer.continue_row(motion->clip.row(f), ",");
     printer.print('\n');
   }
   if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));

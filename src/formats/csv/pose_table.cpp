@@ -3,17 +3,6 @@
 #include "text/printer.hpp"
 
 namespace kinefile {
-namespace {
-
-void print_numbers(text::Printer& printer, const double* numbers, std::size_t count, double scale) {
-  for (std::size_t i = 0; i < count; ++i) {
-    printer.print(',');
-    printer.print(numbers[i] * scale);
-  }
-}
-
-}  // namespace
-
 bool write_pose_csv_header(const PoseTable& table, const Sink& sink) {
   std::string header = "frame,time,joint,x,y,z";
   if (table.rotations) header += ",qw,qx,qy,qz";
@@ -25,6 +14,7 @@ bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink&
   std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   for (tables::PoseRow& row : rows) row.label = text::csv_field(row.label);
   text::Printer printer(sink);
+  std::vector<double> numbers;
   for (std::size_t f = 0; f < poses.num_frames; ++f) {
     const std::size_t frame = poses.first_frame + f * poses.frame_step;
     const std::string frame_and_time =
@@ -32,10 +22,17 @@ bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink&
     for (const tables::PoseRow& row : rows) {
       printer.print(frame_and_time);
       printer.print(row.label);
-      print_numbers(printer, tables::point_of(poses, f, row), 3, table.length_scale);
+      const double* const point = tables::point_of(poses, f, row);
+      numbers.clear();
+      for (std::size_t k = 0; k < 3; ++k) numbers.push_back(point[k] * table.length_scale);
       const std::size_t joint = f * poses.num_joints + row.joint;
-      if (table.rotations) print_numbers(printer, &poses.rotations[joint * 4], 4, 1);
-      if (table.directions) print_numbers(printer, &poses.directions[joint * 3], 3, 1);
+      const auto append = [&](std::span<const double> array, std::size_t width) {
+        const auto of_joint = array.subspan(joint * width, width);
+        numbers.insert(numbers.end(), of_joint.begin(), of_joint.end());
+      };
+      if (table.rotations) append(poses.rotations, 4);
+      if (table.directions) append(poses.directions, 3);
+      printer.continue_row(numbers, ",");
       printer.print('\n');
     }
   }

@@ -44,7 +44,7 @@ Result<void> write_flow(const PoseFlow& flow, const kinefile::WriteOptions& opti
   const auto& own = options.of_formats.get<csv::WriteOptions>();
   if (own.in_degrees) words.project = options.project.get();
   if (words.project != nullptr && own.is_relative) words.base = base_values(*words.project);
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, {.decimals = options.decimals});
   printer.print("time,next,break,sound");
   for (std::size_t s = 0; s < flow.num_sliders; ++s) printer.print(fmt::format(",s{}", s));
   printer.print('\n');

@@ -44,10 +44,7 @@ void print_rows(text::Printer& printer, const Component& component, std::size_t 
                 std::size_t count) {
   for (std::size_t f = 0; f < component.num_frames; ++f) {
     printer.print_exact(time_of_frame(component.timeline, f));
-    for (const double value : component.row(f).subspan(first, count)) {
-      printer.print(' ');
-      printer.print(value);
-    }
+    printer.continue_row(component.row(f).subspan(first, count), " ");
     printer.print('\n');
   }
 }
@@ -55,7 +52,7 @@ void print_rows(text::Printer& printer, const Component& component, std::size_t 
 /// Writes one file of the set.
 Result<void> write_part(const Component& component, std::string_view part,
                         const WriteOptions& options, const Sink& sink) {
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, {.decimals = options.decimals});
   if (part == ".waist" || part == ".hip") {
     const Component root = root_angles(component);
     const bool is_hip = part == ".hip";

@@ -34,18 +34,20 @@ std::string_view dof_kind_name(DofKind kind) {
   return "";
 }
 
+std::span<const double> numbers_of(const Vec3& v) { return {v.data(), 3}; }
+
 void print_dof(text::Printer& printer, const DegreeOfFreedom& dof) {
   printer.print("{\"kind\":\"");
   printer.print(dof_kind_name(dof.kind));
   printer.print("\",\"axis\":");
-  print_array(printer, dof.axis);
+  print_array(printer, numbers_of(dof.axis));
   printer.print(fmt::format(",\"column\":{},\"rest\":", dof.coordinate));
-  print_number(printer, dof.rest);
+  printer.print(dof.rest);
   if (!is_plain(dof)) {
     printer.print(",\"gain\":");
-    print_number(printer, dof.gain);
+    printer.print(dof.gain);
     printer.print(",\"shift\":");
-    print_number(printer, dof.shift);
+    printer.print(dof.shift);
   }
   printer.print('}');
 }
@@ -54,7 +56,7 @@ void print_tip(text::Printer& printer, const Tip& tip) {
   printer.print("{\"name\":");
   printer.print(text::json_string(tip.name));
   printer.print(",\"offset\":");
-  print_array(printer, tip.offset);
+  print_array(printer, numbers_of(tip.offset));
   printer.print('}');
 }
 
@@ -65,7 +67,7 @@ void print_joint(text::Printer& printer, const Skeleton& skeleton, const Joint& 
   printer.print(joint.parent == kNoParent ? "null"
                                           : text::json_string(skeleton.joints[joint.parent].name));
   printer.print(",\"offset\":");
-  print_array(printer, joint.offset);
+  print_array(printer, numbers_of(joint.offset));
   const Quat& q = joint.rest_rotation;
   printer.print(",\"rest_rotation\":");
   print_array(printer, std::array<double, 4>{q.w(), q.x(), q.y(), q.z()});
@@ -83,7 +85,7 @@ void print_skeleton(text::Printer& printer, const Skeleton& skeleton) {
   printer.print(skeleton.angle_unit == AngleUnit::Degrees ? "degrees" : "radians");
   printer.print("\",\"metres_per_unit\":");
   if (skeleton.metres_per_unit > 0) {
-    print_number(printer, skeleton.metres_per_unit);
+    printer.print(skeleton.metres_per_unit);
   } else {
     printer.print("null");
   }
@@ -135,7 +137,7 @@ void print_component(text::Printer& printer, const Component& component) {
   printer.print(",\"content\":");
   printer.print(text::json_string(component.content));
   printer.print(",\"frame_rate\":");
-  print_number(printer, nominal_frame_rate(component.timeline));
+  printer.print(nominal_frame_rate(component.timeline));
   printer.print(fmt::format(",\"num_parts\":{}", component.num_parts));
   if (component.kind == ComponentKind::Poses) printer.print(",\"se3_format\":\"XYZQWQXQYQZ\"");
   printer.print(",\"is_root_relative\":");
@@ -175,7 +177,7 @@ void print_motion(text::Printer& printer, const Document& document) {
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
   if (auto valid = validate(document); !valid) return valid;
-  text::Printer printer(sink, options.decimals);
+  text::Printer printer(sink, number_spelling(options.decimals));
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
     print_body_motion(printer, *motion, diagnostics);
   } else if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {

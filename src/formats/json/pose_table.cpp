@@ -16,7 +16,7 @@ std::array<double, 3> scaled(const double* point, double scale) {
 bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink& sink) {
   const std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   const std::size_t num_frames = poses.num_frames;
-  text::Printer printer(sink);
+  text::Printer printer(sink, json::number_spelling(std::nullopt));
   const auto frame_of = [&](std::size_t i) { return poses.first_frame + i * poses.frame_step; };
   // One array of arrays, [frame][row]; `print_part` prints the innermost part.
   const auto print_table = [&](const auto& print_part) {
@@ -34,7 +34,7 @@ bool write_pose_json(const PoseTable& table, const PoseArrays& poses, const Sink
                        [&](std::size_t i) { printer.print(fmt::to_string(frame_of(i))); });
   printer.print(",\n\"times\":");
   json::print_elements(printer, num_frames, ",", [&](std::size_t i) {
-    json::print_number(printer, time_of_frame(*table.timeline, frame_of(i)));
+    printer.print(time_of_frame(*table.timeline, frame_of(i)));
   });
   printer.print(",\n\"positions\":");
   print_table([&](std::size_t f, const tables::PoseRow& row) {

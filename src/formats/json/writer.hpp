@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "text/printer.hpp"
 
 namespace kinefile::json {
 
-/// Prints a number; values that JSON has no number for become strings: "nan", "inf", "-inf".
-inline void print_number(text::Printer& printer, double number) {
-  const bool is_number = std::isfinite(number);
-  if (!is_number) printer.print('"');
-  printer.print(number);
-  if (!is_number) printer.print('"');
+/// Values that JSON has no number for become strings: "nan", "inf", "-inf".
+/// \param decimals  as in `simd::NumberSpelling`
+inline simd::NumberSpelling number_spelling(std::optional<int> decimals) {
+  return {.decimals = decimals, .quotes_non_finite = true};
 }
 
 /// Prints numbers as an array.
-template <class Numbers>
-void print_array(text::Printer& printer, const Numbers& numbers) {
+inline void print_array(text::Printer& printer, std::span<const double> numbers) {
   printer.print('[');
-  bool is_first = true;
-  for (const double number : numbers) {
-    if (!is_first) printer.print(',');
-    is_first = false;
-    print_number(printer, number);
-  }
+  printer.print_row(numbers, ",");
   printer.print(']');
 }
 

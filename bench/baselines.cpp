@@ -47,6 +47,18 @@ double sum_words_with_fast_float(std::string_view text) {
   }
 }
 
+double sum_with_commas(std::string_view table) {
+  const char* p = table.data() + table.find('\n') + 1;
+  const char* end = table.data() + table.size();
+  double sum = 0;
+  while (p != end) {
+    double value = 0;
+    p = fast_float::from_chars(p, end, value).ptr + 1;
+    sum += value;
+  }
+  return sum;
+}
+
 double sum_with_ifstream(const std::string& path) {
   std::ifstream file(path);
   std::string line;

@@ -21,6 +21,9 @@ double sum_with_fast_float(std::string_view numbers);
 /// a word that is no number is passed over to the next blank.
 double sum_words_with_fast_float(std::string_view text);
 
+/// As `sum_with_fast_float`, over a table with a header, a comma or a line end behind each number.
+double sum_with_commas(std::string_view table);
+
 /// Reads the numbers of a BVH file with `ifstream >>` and adds them up.
 double sum_with_ifstream(const std::string& path);
 

@@ -40,6 +40,19 @@ void read_amc_bare_loop(benchmark::State& state) {
   }
 }
 
+void read_csv_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(read_or_exit(subject().csv_path, "csv"));
+  }
+}
+
+void read_csv_bare_loop(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().csv_path);
+    benchmark::DoNotOptimize(sum_with_commas(bytes->view()));
+  }
+}
+
 void read_seq_kinefile(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(read_or_exit(subject().seq_path, "choreonoid"));
@@ -105,6 +118,8 @@ void add_files() {
   measure("read/ifstream", read_ifstream);
   measure("read_amc/kinefile", read_amc_kinefile);
   measure("read_amc/bare_fast_float_loop", read_amc_bare_loop);
+  measure("read_csv/kinefile", read_csv_kinefile);
+  measure("read_csv/bare_fast_float_loop", read_csv_bare_loop);
   measure("read_seq/kinefile", read_seq_kinefile);
   measure("read_seq/libyaml_strtod", read_seq_libyaml);
   measure("write/kinefile", write_kinefile);
@@ -113,6 +128,8 @@ void add_files() {
   compare("reading BVH, against ifstream >>", "read/kinefile", "read/ifstream");
   compare("reading AMC, against a bare fast_float loop", "read_amc/kinefile",
           "read_amc/bare_fast_float_loop");
+  compare("reading CSV, against a bare fast_float loop", "read_csv/kinefile",
+          "read_csv/bare_fast_float_loop");
   compare("reading .seq, against libyaml's events and strtod", "read_seq/kinefile",
           "read_seq/libyaml_strtod");
 }

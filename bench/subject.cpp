@@ -72,6 +72,7 @@ void make_subject() {
   instance().folder = folder;
   instance().path = folder + "/walk.bvh";
   instance().amc_path = folder + "/walk.amc";
+  instance().csv_path = folder + "/robot.csv";
   instance().seq_path = folder + "/robot.seq";
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
@@ -82,6 +83,9 @@ void make_subject() {
   Document robot;
   robot.content = make_robot_motion();
   write_or_exit(instance().seq_path, robot, "choreonoid");
+  WriteOptions options;
+  const auto table = adapt(std::move(robot), *find_format("csv"), {}, options, diagnostics);
+  write_or_exit(instance().csv_path, table.value(), "csv");
 }
 
 void load_subject() {

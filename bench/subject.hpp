@@ -8,11 +8,12 @@
 namespace kinefile::bench {
 
 /// What the measurements work on: some 50 MB of a walk as BVH, as AMC with its skeleton beside it,
-/// and of a robot as .seq.
+/// and of a robot as .seq and as CSV.
 struct Subject {
   std::string folder;
   std::string path;
   std::string amc_path;
+  std::string csv_path;
   std::string seq_path;
   Motion motion;  ///< of `path`; empty until `load_subject`
 };

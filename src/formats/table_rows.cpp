@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -90,7 +91,37 @@ void note_slow(const text::Source& source, const TableRows& rows, std::span<cons
                rows.starts[1]);
 }
 
+/// Reserves memory as if all rows were as long as the first one.
+void reserve_rows(const char* begin, const char* end, TableRows& rows) {
+  // A number has two bytes at the least, with its separator.
+  const std::size_t least = 2 * rows.num_columns;
+  const auto row_bytes =
+      std::max(static_cast<std::size_t>(begin - rows.starts.front()) / rows.starts.size(), least);
+  const std::size_t num_more = static_cast<std::size_t>(end - begin) / row_bytes;
+  const std::size_t num_rows = rows.starts.size() + num_more + num_more / 16 + 1;
+  rows.values.reserve(num_rows * rows.num_columns);
+  rows.starts.reserve(num_rows);
+}
+
 }  // namespace
+
+const char* append_like_rows(const char* begin, const char* end, const simd::RowTemplate& row,
+                             TableRows& rows) {
+  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
+  reserve_rows(begin, end, rows);
+  const std::size_t most = kSomeNumbers / rows.num_columns + 1;
+  while (true) {
+    const std::size_t num_before = rows.starts.size();
+    rows.starts.resize(num_before + most);
+    double* const out = rows.values.grow(most * rows.num_columns).data();
+    const simd::NumberRows read =
+        simd::read_template_rows(begin, end, row, most, out, &rows.starts[num_before]);
+    rows.starts.resize(num_before + read.num_rows);
+    rows.values.resize(rows.starts.size() * rows.num_columns);
+    begin = read.next;
+    if (read.num_rows < most) return begin;
+  }
+}
 
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,

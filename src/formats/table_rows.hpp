@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/timeline.hpp"
+#include "simd/template_rows.hpp"
 #include "text/source.hpp"
 
 namespace kinefile {
@@ -14,9 +16,15 @@ namespace kinefile {
 /// The numbers of a table, row after row, the time first in each; and where the rows start.
 struct TableRows {
   std::size_t num_columns = 0;
-  std::vector<double> values;
+  Array<double> values;
   std::vector<const char*> starts;
 };
+
+/// Appends rows that have the text of the first row between their numbers, as far as they go.
+/// \param row  the template of the first row
+/// \returns    the first row that is another, or the end
+const char* append_like_rows(const char* begin, const char* end, const simd::RowTemplate& row,
+                             TableRows& rows);
 
 /// The codes of the messages of `timeline_of_rows`.
 struct TableTimeCodes {

@@ -29,40 +29,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/number_index.hpp"
 #include "simd/number_tables.hpp"
-
-#ifndef KINEFILE_NUMBER_ROWS_INDEX
-#define KINEFILE_NUMBER_ROWS_INDEX
-namespace kinefile::simd {
-namespace {
-
-constexpr std::size_t kWord = 64;          ///< bytes that a mask stands for
-constexpr std::size_t kPiece = 32 * 1024;  ///< bytes that are indexed at a time
-
-/// The first rows of a piece and their tokens, as distances from the piece's beginning. A token has
-/// a separator behind it, and a row a token.
-struct Index {
-  std::size_t num_tokens = 0;
-  std::size_t num_rows = 0;
-  std::array<std::uint32_t, kPiece / 2 + kWord> ends;      ///< of tokens
-  std::array<std::uint32_t, kPiece / 2 + kWord> begins;    ///< of tokens
-  std::array<std::uint32_t, kPiece / 2 + kWord> row_ends;  ///< behind LF
-};
-
-/// Reads a token that the kernels leave; whether it is a finite number.
-inline bool read_odd_token(const char* begin, const char* end, double& value) {
-  if (*begin == '+' && end - begin > 1 && begin[1] != '-') ++begin;
-  const auto [next, error] = fast_float::from_chars(begin, end, value);
-  return error == std::errc() && next == end && std::isfinite(value);
-}
-
-}  // namespace
-}  // namespace kinefile::simd
-#endif  // KINEFILE_NUMBER_ROWS_INDEX
 
 #define KINEFILE_HAS_WIDE_MASKS (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && !KINEFILE_HAS_WIDE_MASKS
-#include "simd/number_tokens-inl.hpp"
+#include "simd/number_index-inl.hpp"
 #endif
 
 #if KINEFILE_HAS_WIDE_MASKS
@@ -92,6 +64,7 @@ NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, do
 }
 
 #else
+namespace {
 
 struct WordMasks {
   std::uint64_t separators = 0;
@@ -116,19 +89,6 @@ HWY_INLINE WordMasks masks_of(const char* text) {
     masks.carriage_returns |= bits_of(d, v == hn::Set(d, '\r')) << i;
   }
   return masks;
-}
-
-/// Appends the places of the bits of a mask. Writes up to 64 places in any case.
-HWY_INLINE void append_places(std::uint64_t bits, std::uint32_t base, std::uint32_t* out) {
-  const auto num = static_cast<std::size_t>(std::popcount(bits));
-  const auto take = [&](std::size_t i) HWY_ATTR {
-    out[i] = base + static_cast<std::uint32_t>(std::countr_zero(bits));
-    bits &= bits - 1;
-  };
-  for (std::size_t i = 0; i < 8; ++i) take(i);
-  if (num <= 8) return;
-  for (std::size_t i = 8; i < 16; ++i) take(i);
-  for (std::size_t i = 16; i < num; ++i) take(i);
 }
 
 /// Adds the lines that end in a word, as long as each has the right number of tokens.
@@ -193,41 +153,7 @@ HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_
   find_begins(begins.data(), gaps != 0, index);
 }
 
-/// Reads tokens of a piece one by one; returns the first that is no finite number, or the last.
-/// \param is_begin_of_text  whether nothing stands before the piece
-HWY_INLINE std::size_t read_singly(const char* text, const Index& index, std::size_t first,
-                                   std::size_t last, bool is_begin_of_text, double* out) {
-  for (std::size_t i = first; i < last; ++i) {
-    const bool has_room = !is_begin_of_text || index.ends[i] > kLongToken;
-    if (has_room && read_single(reinterpret_cast<const std::uint8_t*>(text), index.begins[i],
-                                index.ends[i], out[i])) {
-      continue;
-    }
-    if (!read_odd_token(text + index.begins[i], text + index.ends[i], out[i])) return i;
-  }
-  return last;
-}
-
-/// Reads the tokens of a piece; returns the first that is no finite number, or the last.
-HWY_INLINE std::size_t read_tokens(const char* text, const Index& index, bool is_begin_of_text,
-                                   double* out) {
-  const std::size_t count = index.num_tokens;
-  ForeseenPoint foreseen;
-  std::size_t i = 0;
-  while (is_begin_of_text && i < count && index.ends[i] <= kLongToken) ++i;
-  if (const std::size_t read = read_singly(text, index, 0, i, true, out); read < i) return read;
-  for (; i + kTokens <= count; i += kTokens) {
-    if (read_group(reinterpret_cast<const std::uint8_t*>(text), &index.begins[i], &index.ends[i],
-                   foreseen, out + i)) {
-      continue;
-    }
-    const std::size_t end = i + kTokens;
-    if (const std::size_t read = read_singly(text, index, i, end, false, out); read < end) {
-      return read;
-    }
-  }
-  return read_singly(text, index, i, count, false, out);
-}
+}  // namespace
 
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
                     std::size_t max_rows, double* out) {

@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
 namespace HWY_NAMESPACE {
+namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // At most four tokens at a time: of more, one that is odd is more often among them.
@@ -193,6 +194,7 @@ HWY_INLINE bool read_single(const std::uint8_t* text, std::uint32_t begin, std::
   return true;
 }
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace kinefile::simd
 HWY_AFTER_NAMESPACE();

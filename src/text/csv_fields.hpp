@@ -21,6 +21,8 @@ class CsvFields {
 
   bool is_at_end() const { return next_ == end_; }
   const char* position() const { return next_; }
+  /// \param position  where a field or a line begins, or the end of the text
+  void move_to(const char* position) { next_ = position; }
 
   /// Consumes the fields of one record, which may contain line ends in quotes.
   std::vector<CsvField> take_record();

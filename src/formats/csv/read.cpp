@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/csv/columns.hpp"
@@ -13,6 +14,7 @@
 #include "text/csv_fields.hpp"
 #include "text/decode.hpp"
 #include "text/numbers.hpp"
+#include "text/row_template.hpp"
 
 namespace kinefile::csv {
 namespace {
@@ -20,7 +22,7 @@ namespace {
 /// Reads a number; false after an error.
 /// \param is_time  whether it is the time of its row, which is checked with the other times
 bool parse_value(const TableReader& reader, text::CsvFields& fields, bool is_time,
-                 std::vector<double>& values) {
+                 Array<double>& values) {
   const char* const at = fields.position();
   const auto plain = fields.take_plain();
   const text::CsvField in_quotes = plain ? text::CsvField{} : fields.take_field();
@@ -42,23 +44,47 @@ bool parse_value(const TableReader& reader, text::CsvFields& fields, bool is_tim
   return true;
 }
 
+/// Reads one row, or an empty line; false after an error.
+bool parse_row(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
+  const char* const start = fields.position();
+  if (fields.take_line_end()) return true;
+  std::size_t count = 0;
+  do {
+    if (!parse_value(reader, fields, count == 0, rows.values)) return false;
+    ++count;
+  } while (fields.take_comma());
+  if (count != rows.num_columns) {
+    reader.error("CSV005", fmt::format("expected {} fields, found {}", rows.num_columns, count),
+                 start);
+    return false;
+  }
+  rows.starts.push_back(start);
+  fields.take_line_end();
+  return true;
+}
+
 /// Reads the rows; false after an error.
 bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
+  constexpr std::size_t kMostRows = 64;
+  std::optional<simd::RowTemplate> plain;
+  // Where no rows follow that are like the first one, they are looked for the less often.
+  std::size_t num_rows = 1, num_rows_left = 0;
   while (!fields.is_at_end()) {
-    const char* const start = fields.position();
-    if (fields.take_line_end()) continue;  // an empty line
-    std::size_t count = 0;
-    do {
-      if (!parse_value(reader, fields, count == 0, rows.values)) return false;
-      ++count;
-    } while (fields.take_comma());
-    if (count != rows.num_columns) {
-      reader.error("CSV005", fmt::format("expected {} fields, found {}", rows.num_columns, count),
-                   start);
-      return false;
+    if (rows.starts.empty() || num_rows_left > 0) {
+      if (!parse_row(reader, fields, rows)) return false;
+      num_rows_left -= num_rows_left > 0 ? 1 : 0;
+      continue;
     }
-    rows.starts.push_back(start);
-    fields.take_line_end();
+    const char* const begin = fields.position();
+    if (!plain) {
+      const char* const first = rows.starts.front();
+      plain =
+          text::template_of_row({first, static_cast<std::size_t>(begin - first)}, rows.num_columns)
+              .value_or(simd::RowTemplate());
+    }
+    fields.move_to(append_like_rows(begin, reader.source.end(), *plain, rows));
+    num_rows = fields.position() == begin ? std::min(2 * num_rows, kMostRows) : 1;
+    num_rows_left = num_rows;
   }
   return true;
 }
@@ -77,14 +103,13 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   }
   component.num_frames = rows.starts.size();
   component.timeline = timeline;
-  component.values.reserve(component.num_frames * component.row_size());
-  for (std::size_t f = 0; f < component.num_frames; ++f) {
-    for (const std::size_t column : group.columns) {
-      const bool rests = column == kNoColumn;
-      component.values.push_back(rests ? 0.0 : rows.values[f * rows.num_columns + column]);
-    }
-  }
+  component.values.resize(component.num_frames * component.row_size());
   const Rows values = component.mutate();
+  for (std::size_t f = 0; f < component.num_frames; ++f) {
+    const double* const from = rows.values.data() + f * rows.num_columns;
+    double* to = values.values.data() + f * values.width;
+    for (const std::size_t column : group.columns) *to++ = column == kNoColumn ? 0.0 : from[column];
+  }
   for (const FollowingPart& one : group.following) {
     for (std::size_t f = 0; f < component.num_frames; ++f) {
       values[f][one.part] = value_of(one.dof, values[f][one.leader]);

@@ -27,13 +27,12 @@ struct TableParser {
 
   /// Appends the numbers of a line.
   /// \returns the start of the next line; null after an error
-  const char* parse_row(const char* p, std::vector<double>& values) {
+  const char* parse_row(const char* p, Array<double>& values) {
     std::array<double, kPiece> piece;
     const std::size_t time = values.size();  // which is checked with the other times
     while (true) {
       const text::NumberRow row = text::read_number_row(p, source.end(), piece.data(), kPiece);
-      values.insert(values.end(), piece.begin(),
-                    piece.begin() + static_cast<std::ptrdiff_t>(row.count));
+      values.append({piece.data(), row.count});
       p = row.next;
       if (row.end == text::RowEnd::EndOfLine) return p;
       if (row.end == text::RowEnd::Full) continue;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fast_float/fast_float.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace kinefile::simd {
+
+inline constexpr std::size_t kWord = 64;          ///< bytes that a mask stands for
+inline constexpr std::size_t kPiece = 32 * 1024;  ///< bytes that are indexed at a time
+
+/// The first rows of a piece and their tokens, as distances from the piece's beginning. A token has
+/// a separator behind it, and a row a token.
+struct Index {
+  std::size_t num_tokens = 0;
+  std::size_t num_rows = 0;
+  std::array<std::uint32_t, kPiece / 2 + kWord> ends;      ///< of tokens
+  std::array<std::uint32_t, kPiece / 2 + kWord> begins;    ///< of tokens
+  std::array<std::uint32_t, kPiece / 2 + kWord> row_ends;  ///< behind LF
+};
+
+/// Reads a token that the kernels leave; whether it is a finite number.
+inline bool read_odd_token(const char* begin, const char* end, double& value) {
+  if (*begin == '+' && end - begin > 1 && begin[1] != '-') ++begin;
+  const auto [next, error] = fast_float::from_chars(begin, end, value);
+  return error == std::errc() && next == end && std::isfinite(value);
+}
+
+}  // namespace kinefile::simd

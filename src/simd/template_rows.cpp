@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Rows whose text between the numbers is known are read as those of numbers alone are
+// (number_rows.cpp), but for the first pass: from the table of token ends each number is found
+// behind the text before it, which is compared, up to the next end. So commas, brackets and names
+// need no machine of their own: a row with other ones is not read.
+// Highway compiles this file once for every instruction set and selects one at run time.
+
+#include "simd/template_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <memory>
+
+#ifdef __EMSCRIPTEN__
+#define HWY_COMPILE_ONLY_EMU128  // WebAssembly has no vectors of doubles in Highway 1.0
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/template_rows.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/number_index.hpp"
+#include "simd/number_tables.hpp"
+
+#define KINEFILE_HAS_WIDE_MASKS (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && !KINEFILE_HAS_WIDE_MASKS
+#include "simd/number_index-inl.hpp"
+#endif
+
+#if KINEFILE_HAS_WIDE_MASKS
+namespace kinefile::simd::N_AVX2 {
+NumberRows read_templated(const char* begin, const char* end, const RowTemplate& row,
+                          std::size_t max_rows, double* out, const char** rows);
+}
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace kinefile::simd {
+namespace HWY_NAMESPACE {
+#if KINEFILE_HAS_WIDE_MASKS
+
+// As in number_rows.cpp.
+NumberRows read_templated(const char* begin, const char* end, const RowTemplate& row,
+                          std::size_t max_rows, double* out, const char** rows) {
+  return N_AVX2::read_templated(begin, end, row, max_rows, out, rows);
+}
+
+#elif HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+
+// Without vectors the other readers are as fast.
+NumberRows read_templated(const char* begin, const char*, const RowTemplate&, std::size_t, double*,
+                          const char**) {
+  return {0, begin};
+}
+
+#else
+namespace {
+
+/// The ends of all tokens of a piece, and the numbers among them.
+struct TemplateIndex {
+  Index numbers;
+  std::size_t num_ends = 0;
+  std::array<std::uint32_t, kPiece / 2 + kWord> ends;
+};
+
+HWY_INLINE std::uint64_t separators_of(const char* text) {
+  const Bytes d;
+  std::uint64_t separators = 0;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text);
+  // The low four bits choose the separator that a byte must equal; two share theirs.
+  alignas(16) static constexpr std::uint8_t kSeparators[16] = {
+      ' ', 0, 0, 0, 0, 0, 0, 0, 0, '\t', '\n', '[', ',', '\r', 0, 0};
+  const auto table = hn::LoadDup128(d, kSeparators);
+  const auto low = hn::Set(d, 0x0F);
+  for (std::size_t i = 0; i < kWord; i += hn::Lanes(d)) {
+    const auto v = hn::LoadU(d, bytes + i);
+    const auto is_listed = hn::TableLookupBytes(table, hn::And(v, low)) == v;
+    separators |= bits_of(d, hn::Or(is_listed, v == hn::Set(d, ']'))) << i;
+  }
+  return separators;
+}
+
+/// Finds where the tokens of a piece end.
+/// \param size  bytes, a multiple of kWord
+HWY_INLINE void index_ends(const char* text, std::size_t size, TemplateIndex& index) {
+  index.num_ends = 0;
+  std::uint64_t separator_before = 1;  // a piece begins where a row begins
+  for (std::size_t at = 0; at < size; at += kWord) {
+    const std::uint64_t separators = separators_of(text + at);
+    const std::uint64_t ends = separators & ~(separators << 1 | separator_before);
+    separator_before = separators >> (kWord - 1);
+    append_places(ends, static_cast<std::uint32_t>(at), &index.ends[index.num_ends]);
+    index.num_ends += static_cast<std::size_t>(std::popcount(ends));
+  }
+}
+
+/// Whether a text begins as a gap does. Bytes up to the end of the gap's last word can be read.
+HWY_INLINE bool has_gap(const char* text, const RowTemplate& row, const RowTemplate::Gap& gap) {
+  std::uint64_t difference = 0;
+  for (std::size_t i = 0; i < gap.num_words; ++i) {
+    const RowTemplate::Word& word = row.words()[gap.first_word + i];
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, text + 8 * i, 8);
+    difference |= (bytes ^ word.bytes) & word.mask;
+  }
+  return difference == 0;
+}
+
+/// Finds the numbers of the next row of a piece; whether it has the template's text.
+/// \param at    in: where the row begins; out: where the next one does
+/// \param next  in: the number of the row's first end; out: likewise
+HWY_INLINE bool find_row(const char* text, std::size_t size, const RowTemplate& row,
+                         TemplateIndex& index, std::size_t& at, std::size_t& next) {
+  const std::vector<RowTemplate::Gap>& gaps = row.gaps();
+  const std::size_t first = index.numbers.num_tokens;
+  const std::size_t num_columns = row.num_columns();
+  std::size_t end = at;
+  for (std::size_t c = 0;; ++c) {
+    const RowTemplate::Gap& gap = gaps[c];
+    if (end + 8 * gap.num_words > size || !has_gap(text + end, row, gap)) return false;
+    const std::size_t begin = end + gap.size;
+    next += gap.num_ends;
+    if (c == num_columns) {
+      at = begin;
+      return true;
+    }
+    if (next >= index.num_ends) return false;
+    end = index.ends[next++];
+    if (end <= begin) return false;
+    index.numbers.begins[first + c] = static_cast<std::uint32_t>(begin);
+    index.numbers.ends[first + c] = static_cast<std::uint32_t>(end);
+  }
+}
+
+/// Finds the first rows of a piece that have the template's text, and their numbers.
+HWY_INLINE void find_rows(const char* text, std::size_t size, const RowTemplate& row,
+                          std::size_t max_rows, TemplateIndex& index) {
+  Index& numbers = index.numbers;
+  numbers.num_tokens = numbers.num_rows = 0;
+  std::size_t at = 0;
+  std::size_t next = 0;
+  while (numbers.num_rows < max_rows && find_row(text, size, row, index, at, next)) {
+    numbers.num_tokens += row.num_columns();
+    numbers.row_ends[numbers.num_rows++] = static_cast<std::uint32_t>(at);
+  }
+}
+
+}  // namespace
+
+NumberRows read_templated(const char* begin, const char* end, const RowTemplate& row,
+                          std::size_t max_rows, double* out, const char** rows) {
+  const std::size_t num_columns = row.num_columns();
+  const auto index = std::make_unique_for_overwrite<TemplateIndex>();
+  const Index& numbers = index->numbers;
+  NumberRows read{0, begin};
+  // The first piece has room for a few rows, so that little is done in vain where one is soon odd.
+  std::size_t most_bytes = kWord + 4 * (8 * row.words().size() + 16 * num_columns);
+  while (true) {
+    const auto rest = static_cast<std::size_t>(end - read.next);
+    const std::size_t size = std::min({rest, most_bytes, kPiece}) / kWord * kWord;
+    most_bytes *= 4;
+    index_ends(read.next, size, *index);
+    find_rows(read.next, size, row, max_rows - read.num_rows, *index);
+    const std::size_t num_tokens =
+        read_tokens(read.next, numbers, read.next == begin, out + read.num_rows * num_columns);
+    const std::size_t num_rows = num_tokens / num_columns;
+    for (std::size_t i = 0; rows != nullptr && i < num_rows; ++i) {
+      *rows++ = read.next + (i == 0 ? 0 : numbers.row_ends[i - 1]);
+    }
+    if (num_rows == 0) return read;
+    read.next += numbers.row_ends[num_rows - 1];
+    read.num_rows += num_rows;
+    if (num_rows < numbers.num_rows) return read;
+  }
+}
+
+#endif  // HWY_TARGET
+#undef KINEFILE_HAS_WIDE_MASKS
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kinefile::simd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinefile::simd {
+namespace {
+HWY_EXPORT(read_templated);
+}  // namespace
+
+void RowTemplate::add_gap(std::string_view text) {
+  Gap gap;
+  gap.size = static_cast<std::uint32_t>(text.size());
+  gap.first_word = static_cast<std::uint32_t>(words_.size());
+  gap.num_words = static_cast<std::uint32_t>((text.size() + 7) / 8);
+  // Before the first number stands the end of a row, and before any other text a number.
+  bool is_in_word = !gaps_.empty();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_in_word && is_separator(text[i]) && i > 0) ++gap.num_ends;
+    is_in_word = !is_separator(text[i]);
+  }
+  for (std::size_t i = 0; i < text.size(); i += 8) {
+    constexpr char kAll[8] = {'\xFF', '\xFF', '\xFF', '\xFF', '\xFF', '\xFF', '\xFF', '\xFF'};
+    const std::size_t count = std::min<std::size_t>(text.size() - i, 8);
+    Word& word = words_.emplace_back();
+    std::memcpy(&word.bytes, text.data() + i, count);
+    std::memcpy(&word.mask, kAll, count);
+  }
+  gaps_.push_back(gap);
+}
+
+NumberRows read_template_rows(const char* begin, const char* end, const RowTemplate& row,
+                              std::size_t max_rows, double* out, const char** rows) {
+  if (row.num_columns() == 0) return {0, begin};
+  return HWY_DYNAMIC_DISPATCH(read_templated)(begin, end, row, max_rows, out, rows);
+}
+
+}  // namespace kinefile::simd
+#endif  // HWY_ONCE

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "simd/number_rows.hpp"
+
+namespace kinefile::simd {
+
+/// Whether a character ends a number in rows with a template.
+constexpr bool is_separator(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == '[' || c == ']';
+}
+
+/// The text of rows that are alike but for their numbers, such as `- [ 0.1, 0.2 ]`.
+class RowTemplate {
+ public:
+  /// Adds the text before the first number, then the text behind each number, the last of which
+  /// goes to the end of the row.
+  void add_gap(std::string_view text);
+
+  std::size_t num_columns() const { return gaps_.empty() ? 0 : gaps_.size() - 1; }
+
+  /// Eight bytes of text, and which of them count.
+  struct Word {
+    std::uint64_t bytes = 0;
+    std::uint64_t mask = 0;
+  };
+  struct Gap {
+    std::uint32_t size = 0;        ///< bytes
+    std::uint32_t num_ends = 0;    ///< how many words that are no numbers end in it
+    std::uint32_t first_word = 0;  ///< of its text
+    std::uint32_t num_words = 0;
+  };
+  const std::vector<Gap>& gaps() const { return gaps_; }
+  const std::vector<Word>& words() const { return words_; }
+
+ private:
+  std::vector<Gap> gaps_;
+  std::vector<Word> words_;
+};
+
+/// Reads rows that have the text of a template, exact to the last bit, until one that has not, or
+/// with a token that is no finite number (see `read_number_rows`).
+/// \param begin  the beginning of a row
+/// \param end    where the text ends; some rows before it may be left to another reader
+/// \param out    room for `max_rows` rows; shape (max_rows, num_columns)
+/// \param rows   out: where each row begins; room for `max_rows`; null: not wanted
+NumberRows read_template_rows(const char* begin, const char* end, const RowTemplate& row,
+                              std::size_t max_rows, double* out, const char** rows = nullptr);
+
+}  // namespace kinefile::simd

@@ -5,6 +5,7 @@
 #include <yaml.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -164,6 +165,90 @@ std::vector<double> positions_with_eigen(const Motion& motion) {
     }
   }
   return all;
+}
+
+namespace {
+
+template <class T>
+struct PlainDof {
+  bool is_rotation;
+  std::size_t column;
+  Eigen::Matrix<T, 3, 1> axis;
+};
+
+template <class T>
+struct PlainJoint {
+  std::size_t parent;
+  Eigen::Matrix<T, 3, 1> offset;
+  std::vector<PlainDof<T>> dofs;
+};
+
+template <class T>
+std::vector<PlainJoint<T>> plain_joints(const Skeleton& skeleton) {
+  std::vector<PlainJoint<T>> joints;
+  for (const Joint& joint : skeleton.joints) {
+    joints.push_back({joint.parent, joint.offset.cast<T>(), {}});
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      joints.back().dofs.push_back(
+          {dof.kind == DofKind::Rotation, dof.coordinate, dof.axis.cast<T>()});
+    }
+  }
+  return joints;
+}
+
+template <class T>
+void place_all(const Motion& motion, bool with_rotations, Placed<T>& all) {
+  using Vector = Eigen::Matrix<T, 3, 1>;
+  using Quaternion = Eigen::Quaternion<T>;
+  constexpr T kHalf = static_cast<T>(kRadiansPerDegree / 2);
+  const std::vector<PlainJoint<T>> joints = plain_joints<T>(motion.skeleton);
+  const std::size_t num_poses = motion.clip.num_frames * joints.size();
+  std::vector<Quaternion> rotations(joints.size());
+  std::vector<Vector> positions(joints.size());
+  all.positions.resize(num_poses * 3);
+  all.rotations.resize(with_rotations ? num_poses * 4 : 0);
+  T* position_out = all.positions.data();
+  T* rotation_out = all.rotations.data();
+  for (std::size_t f = 0; f < motion.clip.num_frames; ++f) {
+    const auto row = motion.clip.row(f);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const PlainJoint<T>& joint = joints[j];
+      Vector position = joint.offset;
+      Quaternion rotation = Quaternion::Identity();
+      for (const PlainDof<T>& dof : joint.dofs) {
+        const T value = static_cast<T>(row[dof.column]);
+        if (!dof.is_rotation) {
+          position += value * dof.axis;
+          continue;
+        }
+        const T half = value * kHalf;
+        const Vector v = std::sin(half) * dof.axis;
+        rotation = rotation * Quaternion(std::cos(half), v.x(), v.y(), v.z());
+      }
+      if (joint.parent != kNoParent) {
+        const Quaternion& parent = rotations[joint.parent];
+        position = positions[joint.parent] + parent._transformVector(position);
+        rotation = parent * rotation;
+      }
+      positions[j] = position;
+      rotations[j] = rotation;
+      for (Eigen::Index k = 0; k < 3; ++k) *position_out++ = position[k];
+      if (!with_rotations) continue;
+      if (rotation.w() < 0) rotation.coeffs() = -rotation.coeffs();
+      *rotation_out++ = rotation.w();
+      for (Eigen::Index k = 0; k < 3; ++k) *rotation_out++ = rotation.vec()[k];
+    }
+  }
+}
+
+}  // namespace
+
+void place_with_eigen(const Motion& motion, bool with_rotations, Placed<double>& placed) {
+  place_all(motion, with_rotations, placed);
+}
+
+void place_with_eigen(const Motion& motion, bool with_rotations, Placed<float>& placed) {
+  place_all(motion, with_rotations, placed);
 }
 
 }  // namespace kinefile::bench

@@ -36,6 +36,19 @@ double sum_with_libyaml(std::string_view text);
 /// \returns [frame][joint][3]
 std::vector<double> positions_with_eigen(const Motion& motion);
 
+/// Positions and rotations of all joints and frames.
+template <class T>
+struct Placed {
+  std::vector<T> positions;  ///< [frame][joint][3]
+  std::vector<T> rotations;  ///< [frame][joint][4], w x y z, or empty
+};
+
+/// The same with quaternions, a frame at a time: for each joint the product of those about its
+/// axes, with the C library's sine and cosine, then of the parent's.
+/// \param placed  in: any; out: the results, in the same memory if it is large enough
+void place_with_eigen(const Motion& motion, bool with_rotations, Placed<double>& placed);
+void place_with_eigen(const Motion& motion, bool with_rotations, Placed<float>& placed);
+
 /// The rows of a motion by a time map, a frame and a joint at a time: two quaternions from products
 /// of Eigen's AngleAxis, Eigen's `slerp` and `eulerAngles`; positions on the straight line. For
 /// joints with three rotations about x, y and z, in degrees.

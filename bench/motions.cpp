@@ -22,6 +22,31 @@ void fk_kinefile(benchmark::State& state) {
   }
 }
 
+/// Places all joints in memory that is there, as a caller does who goes on with it.
+template <class T, bool kWithRotations>
+void place_kinefile(benchmark::State& state) {
+  const Motion& motion = subject().motion;
+  const Kinematics kinematics(motion.skeleton);
+  const std::size_t num_poses = motion.clip.num_frames * kinematics.num_joints();
+  std::vector<T> positions(num_poses * 3);
+  std::vector<T> rotations(kWithRotations ? num_poses * 4 : 0);
+  const ValueRows rows{motion.clip.values, motion.clip.num_frames, motion.clip.num_coordinates};
+  for (auto _ : state) {
+    kinematics.place(rows, BasicPoseSpans<T>{.positions = positions, .rotations = rotations});
+    benchmark::ClobberMemory();
+  }
+}
+
+template <class T, bool kWithRotations>
+void place_eigen(benchmark::State& state) {
+  Placed<T> placed;
+  place_with_eigen(subject().motion, kWithRotations, placed);
+  for (auto _ : state) {
+    place_with_eigen(subject().motion, kWithRotations, placed);
+    benchmark::ClobberMemory();
+  }
+}
+
 void fk_eigen(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(positions_with_eigen(subject().motion));
 }
@@ -93,11 +118,26 @@ double disagreement() {
 void add_motions() {
   measure("fk/kinefile", fk_kinefile);
   measure("fk/eigen_per_frame", fk_eigen);
+  measure("place/rotations", place_kinefile<double, true>);
+  measure("place/rotations_float", place_kinefile<float, true>);
+  measure("place/positions", place_kinefile<double, false>);
+  measure("place/positions_float", place_kinefile<float, false>);
+  measure("place/rotations_eigen", place_eigen<double, true>);
+  measure("place/rotations_float_eigen", place_eigen<float, true>);
+  measure("place/positions_eigen", place_eigen<double, false>);
+  measure("place/positions_float_eigen", place_eigen<float, false>);
   measure("warp/kinefile", warp_kinefile<retime::RotationInterpolation::Slerp>);
   measure("warp/kinefile_cubic", warp_kinefile<retime::RotationInterpolation::Cubic>);
   measure("warp/eigen_slerp", warp_eigen);
   compare("forward kinematics, against Eigen's AngleAxis matrices", "fk/kinefile",
           "fk/eigen_per_frame");
+  compare("FK, positions + rotations, against Eigen quaternions", "place/rotations",
+          "place/rotations_eigen");
+  compare("FK, positions + rotations, single precision", "place/rotations_float",
+          "place/rotations_float_eigen");
+  compare("FK, positions only", "place/positions", "place/positions_eigen");
+  compare("FK, positions only, single precision", "place/positions_float",
+          "place/positions_float_eigen");
   compare("warping time, against a plain Eigen slerp loop", "warp/kinefile", "warp/eigen_slerp");
   compare("warping time with cubics, against the same", "warp/kinefile_cubic", "warp/eigen_slerp");
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "kinematics/kinematics_plan.hpp"
 
@@ -66,6 +68,8 @@ simd::PlannedJoint plan_joint(const Joint& joint, const Vec3& direction) {
   planned.offset = vector_of(joint.offset);
   planned.has_rest_rotation = rest_rotation != Mat3::Identity();
   planned.rest_rotation = matrix_of(rest_rotation);
+  const Quat& q = joint.rest_rotation;
+  planned.rest_quaternion = {q.w(), q.x(), q.y(), q.z()};
   planned.direction = vector_of(direction);
   for (const DegreeOfFreedom& dof : joint.dofs) plan_dof(dof, rest_rotation, planned);
   for (const Tip& tip : joint.tips) planned.tips.push_back(vector_of(tip.offset));
@@ -92,6 +96,18 @@ void assign_slots(simd::Plan& plan) {
   }
 }
 
+/// Whether unit quaternions can stand for a joint's rotations, exactly.
+bool has_quaternions(const Joint& joint) {
+  constexpr double kTolerance = 1e-14;
+  const auto is_unit = [](double square) { return std::abs(square - 1) <= kTolerance; };
+  return is_unit(joint.rest_rotation.squaredNorm()) &&
+         std::all_of(joint.dofs.begin(), joint.dofs.end(), [&](const DegreeOfFreedom& dof) {
+           const bool is_whole = dof.kind == DofKind::Free || dof.kind == DofKind::Ball ||
+                                 dof.kind == DofKind::RotationVector;
+           return !is_whole && (dof.kind != DofKind::Rotation || is_unit(dof.axis.squaredNorm()));
+         });
+}
+
 simd::Plan make_plan(const Skeleton& skeleton) {
   simd::Plan plan;
   plan.is_in_degrees = skeleton.angle_unit == AngleUnit::Degrees;
@@ -99,22 +115,26 @@ simd::Plan make_plan(const Skeleton& skeleton) {
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     plan.joints.push_back(plan_joint(skeleton.joints[j], directions[j]));
   }
+  plan.has_quaternions =
+      std::all_of(skeleton.joints.begin(), skeleton.joints.end(), has_quaternions);
+  plan.num_columns = skeleton.coordinates.size();
   assign_slots(plan);
   return plan;
 }
 
-void place_rows(const simd::Plan& plan, simd::Frame frame, const simd::Rows& rows,
-                std::size_t num_tips, const PoseSpans& out) {
+template <class T>
+void place_rows(const simd::Plan& plan, simd::Frame frame, const ValueRows& rows,
+                std::size_t num_tips, const BasicPoseSpans<T>& out) {
   [[maybe_unused]] const std::size_t num_poses = rows.num_frames * plan.joints.size();
-  [[maybe_unused]] const auto fits = [](std::span<double> span, std::size_t size) {
+  [[maybe_unused]] const auto fits = [](std::span<T> span, std::size_t size) {
     return span.empty() || span.size() == size;
   };
   assert(out.positions.size() == num_poses * 3 && fits(out.rotations, num_poses * 4));
   assert(fits(out.directions, num_poses * 3) && fits(out.tips, rows.num_frames * num_tips * 3));
-  const auto wanted = [](std::span<double> span) { return span.empty() ? nullptr : span.data(); };
-  simd::place_frames(plan, frame, rows,
-                     {wanted(out.positions), wanted(out.rotations), wanted(out.directions),
-                      wanted(out.tips), num_tips});
+  const auto wanted = [](std::span<T> span) { return span.empty() ? nullptr : span.data(); };
+  simd::place_frames(plan, frame, {rows.values.data(), rows.num_frames, rows.stride},
+                     simd::PoseOutput<T>{wanted(out.positions), wanted(out.rotations),
+                                         wanted(out.directions), wanted(out.tips), num_tips});
 }
 
 }  // namespace
@@ -133,13 +153,19 @@ std::size_t Kinematics::num_tips() const { return plan_->num_tips; }
 std::size_t Kinematics::num_coordinates() const { return plan_->num_coordinates; }
 
 void Kinematics::place(const ValueRows& rows, const PoseSpans& out) const {
-  place_rows(plan_->joints, simd::Frame::World, {rows.values.data(), rows.num_frames, rows.stride},
-             plan_->num_tips, out);
+  place_rows(plan_->joints, simd::Frame::World, rows, plan_->num_tips, out);
+}
+
+void Kinematics::place(const ValueRows& rows, const FloatPoseSpans& out) const {
+  place_rows(plan_->joints, simd::Frame::World, rows, plan_->num_tips, out);
 }
 
 void Kinematics::place_locally(const ValueRows& rows, const PoseSpans& out) const {
-  place_rows(plan_->joints, simd::Frame::Parent, {rows.values.data(), rows.num_frames, rows.stride},
-             plan_->num_tips, out);
+  place_rows(plan_->joints, simd::Frame::Parent, rows, plan_->num_tips, out);
+}
+
+void Kinematics::place_locally(const ValueRows& rows, const FloatPoseSpans& out) const {
+  place_rows(plan_->joints, simd::Frame::Parent, rows, plan_->num_tips, out);
 }
 
 }  // namespace kinefile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Works on a few hundred new frames at a time, joint by joint: first computes the rotations of all
+// Works on some dozen new frames at a time, joint by joint: first computes the rotations of all
 // old frames that these need, then all new ones between them, in arrays that stay in the cache.
 
 #include "retime/interpolate_rotations.hpp"
@@ -18,7 +18,7 @@ using rotation::put_quaternion;
 using rotation::quaternion_at;
 using rotation::resize;
 
-constexpr std::size_t kStepsPerBatch = 256;
+constexpr std::size_t kStepsPerBatch = 64;  ///< of which all rows stay in the fastest memory
 
 /// Some new frames and the old ones that they need. Old frames are indices of `old_frames`.
 struct Batch {
@@ -113,33 +113,74 @@ void interpolate(const Batch& batch, RotationInterpolation rotation, Workspace& 
   }
 }
 
+bool has_plain_values(const TurningJoint& joint) {
+  return std::all_of(joint.rotations.begin(), joint.rotations.end(),
+                     [](const DegreeOfFreedom& dof) { return is_plain(dof); });
+}
+
+std::array<std::size_t, 3> columns_of(const std::array<DegreeOfFreedom, 3>& dofs) {
+  return {dofs[0].coordinate, dofs[1].coordinate, dofs[2].coordinate};
+}
+
+/// The angles of a joint in some rows.
+/// \param frame_of  the frame of each
+template <class FrameOf>
+void load_angles(const Clip& clip, const TurningJoint& joint, std::size_t count,
+                 const FrameOf& frame_of, simd::Angles& angles) {
+  resize(angles, count);
+  const double* rows = clip.row(0).data();
+  const std::array<DegreeOfFreedom, 3>& dofs = joint.rotations;
+  double* a = angles[0].data();
+  double* b = angles[1].data();
+  double* c = angles[2].data();
+  const auto [first, second, third] = columns_of(dofs);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* row = rows + frame_of(i) * clip.num_coordinates;
+    a[i] = row[first];
+    b[i] = row[second];
+    c[i] = row[third];
+  }
+  if (has_plain_values(joint)) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (double& angle : angles[k]) angle = value_of(dofs[k], angle);
+  }
+}
+
+/// Writes the angles of a joint to the new rows.
+void store_angles(const Batch& batch, const TurningJoint& joint, simd::Angles& angles,
+                  Clip& new_clip) {
+  const std::array<DegreeOfFreedom, 3>& dofs = joint.rotations;
+  if (!has_plain_values(joint)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (double& angle : angles[k]) angle = column_of(dofs[k], angle);
+    }
+  }
+  const double* a = angles[0].data();
+  const double* b = angles[1].data();
+  const double* c = angles[2].data();
+  const auto [first, second, third] = columns_of(dofs);
+  double* rows = new_clip.mutate()[0].data();
+  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+    double* row = rows + batch.steps[i].new_frame * new_clip.num_coordinates;
+    row[first] = a[i];
+    row[second] = b[i];
+    row[third] = c[i];
+  }
+}
+
 void turn_joint(const Clip& old_clip, const Batch& batch, const TurningJoint& joint,
                 RotationInterpolation rotation, Workspace& work, Clip& new_clip) {
-  resize(work.old_angles, batch.old_frames.size());
-  for (std::size_t i = 0; i < batch.old_frames.size(); ++i) {
-    const auto row = old_clip.row(batch.old_frames[i]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      work.old_angles[k][i] = value_in_row(joint.rotations[k], row);
-    }
-  }
+  const std::vector<std::size_t>& old_frames = batch.old_frames;
+  load_angles(
+      old_clip, joint, old_frames.size(), [&](std::size_t i) { return old_frames[i]; },
+      work.old_angles);
   simd::quaternions_of_angles(joint.form, work.old_angles, work.old_rotations);
   interpolate(batch, rotation, work);
-  resize(work.new_angles, batch.steps.size());
-  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    const auto row = new_clip.row(batch.steps[i].new_frame);
-    for (std::size_t k = 0; k < 3; ++k) {
-      work.new_angles[k][i] = value_in_row(joint.rotations[k], row);
-    }
-  }
+  load_angles(
+      new_clip, joint, batch.steps.size(), [&](std::size_t i) { return batch.steps[i].new_frame; },
+      work.new_angles);
   simd::angles_of_quaternions(joint.form, work.new_rotations, work.new_angles);
-  const Rows rows = new_clip.mutate();
-  for (std::size_t i = 0; i < batch.steps.size(); ++i) {
-    const auto row = rows[batch.steps[i].new_frame];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const DegreeOfFreedom& dof = joint.rotations[k];
-      row[dof.coordinate] = column_of(dof, work.new_angles[k][i]);
-    }
-  }
+  store_angles(batch, joint, work.new_angles, new_clip);
 }
 
 void turn_as_whole(const Clip& old_clip, const Batch& batch, const WholeRotation& whole,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel works on blocks of frames: every number of a pose is an array of kBlock lanes, one per
+// The general kernel, for joints of every kind; quaternion_kinematics.cpp is the fast one for most.
+// It works on blocks of frames: every number of a pose is an array of kBlock lanes, one per
 // frame, so that each line of arithmetic is a short loop that the compiler can vectorise. A
 // rotation about a coordinate axis changes only two columns of the rotation matrix.
 // Highway compiles this file once for every instruction set and selects one at run time.
@@ -19,6 +20,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/quaternion_kinematics.hpp"
 #include "simd/sincos-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -328,7 +330,7 @@ void store_quaternion(const MatrixLanes& m, std::size_t lane, double* out) {
 
 /// Copies the poses of joint `j` in a block to the output.
 void store_joint(const Plan& plan, std::size_t j, const Block& block, const Pose& pose,
-                 const PoseOutput& out) {
+                 const PoseOutput<double>& out) {
   const std::size_t num_joints = plan.joints.size();
   const std::size_t index = block.first * num_joints + j;
   store_point(pose.position, block, num_joints * 3, out.positions + index * 3);
@@ -349,7 +351,7 @@ void store_joint(const Plan& plan, std::size_t j, const Block& block, const Pose
 
 /// \param first  of the joint's tips among all tips
 void store_tips(const PlannedJoint& joint, std::size_t first, const Block& block, const Pose& pose,
-                const PoseOutput& out) {
+                const PoseOutput<double>& out) {
   for (std::size_t t = 0; t < joint.tips.size(); ++t) {
     VectorLanes point;
     fill(point, joint.tips[t]);
@@ -361,7 +363,7 @@ void store_tips(const PlannedJoint& joint, std::size_t first, const Block& block
   }
 }
 
-void place_all(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out) {
+void place_all(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput<double>& out) {
   std::vector<Pose> pose_of_slot(plan.num_slots);
   for (std::size_t first = 0; first < rows.num_frames; first += kBlock) {
     const Block block{rows, first, std::min(kBlock, rows.num_frames - first)};
@@ -401,10 +403,54 @@ namespace kinefile::simd {
 namespace {
 HWY_EXPORT(place_all);
 HWY_EXPORT(sincos_all);
+
+/// Room for the results of some frames, or none for what is not wanted.
+std::vector<double> buffer_for(const float* wanted, std::size_t size) {
+  return std::vector<double>(wanted != nullptr ? size : 0);
+}
+
+/// Rounds a buffer's numbers, and goes on behind them.
+void round_into(const std::vector<double>& numbers, std::size_t count, float*& out) {
+  if (numbers.empty()) return;
+  out = std::transform(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), out,
+                       [](double number) { return static_cast<float>(number); });
+}
+
+/// Places a few hundred frames at a time in double precision, and rounds the results.
+void place_rounded(const Plan& plan, Frame frame, const Rows& rows, PoseOutput<float> out) {
+  constexpr std::size_t kFrames = 256;
+  const std::size_t num_joints = plan.joints.size();
+  std::vector<double> positions = buffer_for(out.positions, kFrames * num_joints * 3);
+  std::vector<double> rotations = buffer_for(out.rotations, kFrames * num_joints * 4);
+  std::vector<double> directions = buffer_for(out.directions, kFrames * num_joints * 3);
+  std::vector<double> tips = buffer_for(out.tips, kFrames * out.num_tips * 3);
+  const auto wanted = [](std::vector<double>& v) { return v.empty() ? nullptr : v.data(); };
+  const PoseOutput<double> doubles{wanted(positions), wanted(rotations), wanted(directions),
+                                   wanted(tips), out.num_tips};
+  for (std::size_t first = 0; first < rows.num_frames; first += kFrames) {
+    const std::size_t count = std::min(kFrames, rows.num_frames - first);
+    place_frames(plan, frame, {rows.values + first * rows.stride, count, rows.stride}, doubles);
+    round_into(positions, count * num_joints * 3, out.positions);
+    round_into(rotations, count * num_joints * 4, out.rotations);
+    round_into(directions, count * num_joints * 3, out.directions);
+    round_into(tips, count * out.num_tips * 3, out.tips);
+  }
+}
+
 }  // namespace
 
-void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out) {
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput<double>& out) {
+#ifndef __EMSCRIPTEN__  // where bytes are dear, one kernel is enough
+  if (plan.has_quaternions) return place_by_quaternions(plan, frame, rows, out);
+#endif
   HWY_DYNAMIC_DISPATCH(place_all)(plan, frame, rows, out);
+}
+
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput<float>& out) {
+#ifndef __EMSCRIPTEN__  // where bytes are dear, one kernel is enough
+  if (plan.has_quaternions) return place_by_quaternions(plan, frame, rows, out);
+#endif
+  place_rounded(plan, frame, rows, out);
 }
 
 void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,

@@ -64,6 +64,7 @@ struct PlannedJoint {
   Vector offset{};
   bool has_rest_rotation = false;
   Matrix rest_rotation{};
+  std::array<double, 4> rest_quaternion{};  ///< the same, w x y z
   std::vector<Shift> shifts;
   WholeRotation whole = WholeRotation::None;
   std::size_t whole_coordinate = 0;  ///< its first column
@@ -76,7 +77,11 @@ struct PlannedJoint {
 
 struct Plan {
   std::vector<PlannedJoint> joints;
+  /// Whether unit quaternions can stand for all rotations: joints have no whole ones, whose
+  /// quaternions are not always normalised, and unit axes.
+  bool has_quaternions = false;
   std::size_t num_slots = 0;
+  std::size_t num_columns = 0;  ///< of a row
   bool is_in_degrees = true;
 };
 
@@ -91,16 +96,19 @@ struct Rows {
 enum class Frame { World, Parent };
 
 /// The destination of poses, laid out as in `PoseArrays`; null if not requested.
+template <class T>
 struct PoseOutput {
-  double* positions;
-  double* rotations;
-  double* directions;
-  double* tips;
+  T* positions;
+  T* rotations;
+  T* directions;
+  T* tips;
   std::size_t num_tips;
 };
 
-/// Computes the poses of all joints for all rows. Every instruction set gives the same bits.
-void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput& out);
+/// Computes the poses of all joints for all rows, in the output's precision. Every instruction set
+/// gives the same bits.
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput<double>& out);
+void place_frames(const Plan& plan, Frame frame, const Rows& rows, const PoseOutput<float>& out);
 
 /// Sines and cosines as the kernel computes them, for `count` angles.
 void sincos(const double* angles, std::size_t count, bool is_in_degrees, double* sines,

@@ -54,6 +54,10 @@ Mat3 rotation_of(const PoseArrays& poses, std::size_t frame, std::size_t joint) 
   return Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
+void expect_near(const Vec3& found, const Vec3& expected) {
+  EXPECT_LT((found - expected).norm(), 1e-14 * (1 + expected.norm())) << found.transpose();
+}
+
 constexpr KinematicsOptions kAll = {.rotations = true, .directions = true, .tips = true};
 
 TEST(ForwardKinematics, AsfBoneTurnsAboutItsOwnAxes) {
@@ -110,9 +114,9 @@ TEST(ForwardKinematics, AsfLengthMovesChildrenAndTipsAlongTheBone) {
   const Clip clip = clip_of(skeleton, {90, 3});
   const WorldPoses poses = forward_kinematics(skeleton, clip, kAll);
   EXPECT_EQ(position_of(poses, 0, 0), Vec3(0, 0, 0)) << "a tail movement spares its own joint";
-  EXPECT_EQ(tip_of(poses, 0, 0), Vec3(0, 5, 0));
-  EXPECT_EQ(position_of(poses, 0, 1), Vec3(0, 5, 0));
-  EXPECT_EQ(position_of(poses, 0, 2), Vec3(0, 6, 0)) << "and is not inherited";
+  expect_near(tip_of(poses, 0, 0), Vec3(0, 5, 0));
+  expect_near(position_of(poses, 0, 1), Vec3(0, 5, 0));
+  expect_near(position_of(poses, 0, 2), Vec3(0, 6, 0));  // it is not inherited
 }
 
 TEST(ForwardKinematics, BvhScaleMovesChildrenAndTips) {
@@ -202,7 +206,7 @@ TEST(ForwardKinematics, SharedCoordinatesMoveSeveralJoints) {
   skeleton.joints.back().dofs = skeleton.joints.front().dofs;
   skeleton.joints.push_back(joint_at("c", 1, {1, 0, 0}));
   const WorldPoses poses = forward_kinematics(skeleton, clip_of(skeleton, {90}), kAll);
-  EXPECT_EQ(position_of(poses, 0, 2), Vec3(-1, 1, 0));
+  expect_near(position_of(poses, 0, 2), Vec3(-1, 1, 0));
 }
 
 TEST(ForwardKinematics, EveryFrameIsPlacedWhateverTheBlock) {
@@ -273,7 +277,7 @@ TEST(ForwardKinematics, OddValuesStayWithTheirFrameAndJoints) {
   EXPECT_EQ(position_of(poses, 1, 1), Vec3(1, 0, 0));
   EXPECT_TRUE(std::isnan(position_of(poses, 1, 2).x()));
   EXPECT_EQ(position_of(poses, 0, 2), Vec3(2, 0, 0));
-  EXPECT_EQ(position_of(poses, 2, 2), Vec3(1, 1, 0));
+  expect_near(position_of(poses, 2, 2), Vec3(1, 1, 0));
 }
 
 TEST(LocalPoses, AreInTheParentsFrame) {

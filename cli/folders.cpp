@@ -97,6 +97,8 @@ Result<FolderFiles> files_at(const std::string& path, const Walk& walk) {
 }
 
 const Format* format_of_file(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return format_of_name(path);  // a pipe is read once
   bool is_readable = false;
   return format_by_head(path, path, is_readable);
 }

@@ -43,10 +43,25 @@ struct ManyRun {
   StatusFile status;
 };
 
-/// Files whose folder is made first.
-OutputFiles in_made_folders(const OutputFiles& files) {
-  OutputFiles made = files;
-  made.open = [open = files.open](const std::string& name) {
+/// The files that were read for an output.
+struct Inputs {
+  std::shared_ptr<std::vector<CompanionFile>> opened =
+      std::make_shared<std::vector<CompanionFile>>();
+  std::vector<InputState> states;
+
+  /// Takes the states of those that were opened, whose bytes are then let go.
+  void settle() {
+    for (const CompanionFile& file : *opened) states.push_back(state_of(file.name, file.bytes));
+    opened->clear();
+  }
+};
+
+/// The output's files, for which folders are made, and before which the input is let go.
+/// \param inputs  must outlive them
+OutputFiles output_files(Inputs& inputs, bool may_replace) {
+  OutputFiles made = files_on_disk(output_options(may_replace));
+  made.open = [&inputs, open = std::move(made.open)](const std::string& name) {
+    inputs.settle();
     std::error_code fault;
     fs::create_directories(fs::path(name).parent_path(), fault);  // opening it says what is wrong
     return open(name);
@@ -55,14 +70,13 @@ OutputFiles in_made_folders(const OutputFiles& files) {
 }
 
 /// The record of an output that was written, and of what was read for it.
-OutputRecord record_of(const ManyRun& run, const Reading& reading, const Outcome& outcome) {
+OutputRecord record_of(const ManyRun& run, Inputs&& inputs, const Outcome& outcome) {
   OutputRecord record;
   record.is_done = true;
   record.version = kVersion;
   record.options = run.options;
-  for (const CompanionFile& file : *reading.options.opened) {
-    record.inputs.push_back(state_of(file.name, file.bytes));
-  }
+  inputs.settle();
+  record.inputs = std::move(inputs.states);
   for (const std::string& name : outcome.outputs) {
     record.outputs.push_back(
         {fs::path(name).lexically_relative(run.many.out_dir).string(), size_of_file(name)});
@@ -81,10 +95,9 @@ std::optional<Error> hindrance(const std::string& target, bool may_replace) {
 
 /// Makes the output of a file. An exception is an error of this file alone.
 Result<std::vector<std::string>> made(const ManyRun& run, const ManyFile& file,
-                                      const Reading& reading, bool may_replace,
+                                      const Reading& reading, const OutputFiles& files,
                                       Diagnostics& diagnostics) {
   try {
-    const auto files = in_made_folders(files_on_disk(output_options(may_replace)));
     return run.work.make(file, reading, files, diagnostics);
   } catch (const std::bad_alloc&) {
     return fail(make_error(ErrorKind::Io, "MEM001", "out of memory", file.path));
@@ -109,12 +122,13 @@ Outcome work_on(ManyRun& run, const ManyFile& file) {
   if (outcome.error) return outcome;
   run.status.begin(file.name);
   Reading reading = run.reading;
-  reading.options.opened = std::make_shared<std::vector<CompanionFile>>();
+  Inputs inputs;
+  reading.options.opened = inputs.opened;
   outcome.diagnostics.warnings_are_errors = reading.is_strict;
-  auto outputs = made(run, file, reading, may_replace, outcome.diagnostics);
+  auto outputs = made(run, file, reading, output_files(inputs, may_replace), outcome.diagnostics);
   if (outputs) {
     outcome.outputs = std::move(*outputs);
-    run.status.finish(file.name, record_of(run, reading, outcome));
+    run.status.finish(file.name, record_of(run, std::move(inputs), outcome));
   } else {
     outcome.error = std::move(outputs.error());
     run.status.give_up(file.name);
@@ -267,6 +281,7 @@ void add_many_options(CLI::App& command, Many& many, const std::vector<CLI::Opti
 }
 
 int run_many(const Many& many, const ManyWork& work, const Globals& globals) {
+  if (many.out_dir.empty()) return usage_error(globals, "--out-dir needs the name of a folder");
   set_max_threads(many.num_jobs);
   auto plan = plan_of(many, work);
   if (!plan) return report(plan.error(), globals);

@@ -199,8 +199,10 @@ bool is_up_to_date(const OutputRecord& record, const std::string& path, std::uin
       record.version != kVersion) {
     return false;
   }
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);  // no stem of a set
   const auto path_now = [&](const InputState& input) {
-    return &input == record.inputs.data() ? path : input.path;
+    return is_file && &input == record.inputs.data() ? path : input.path;
   };
   const auto& outputs = record.outputs;
   const bool stand = std::all_of(outputs.begin(), outputs.end(), [&](const OutputState& output) {
@@ -220,9 +222,10 @@ bool is_up_to_date(const OutputRecord& record, const std::string& path, std::uin
 
 bool is_own(const OutputRecord& record, const std::string& out_dir) {
   if (record.is_begun) return true;
-  return std::all_of(record.outputs.begin(), record.outputs.end(), [&](const OutputState& output) {
-    return has_size(output, out_dir) || !size_and_time(out_dir + "/" + output.name);
-  });
+  return record.is_done &&
+         std::all_of(record.outputs.begin(), record.outputs.end(), [&](const OutputState& output) {
+           return has_size(output, out_dir) || !size_and_time(out_dir + "/" + output.name);
+         });
 }
 
 StatusFile::StatusFile(std::unique_ptr<State> state) : state_(std::move(state)) {}

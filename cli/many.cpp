@@ -240,14 +240,22 @@ int report(const Error& error, const Globals& globals) {
   return exit_code_of(error);
 }
 
-/// Reads what all files share.
-Result<void> load_shared(const Reading& reading, const Globals& globals) {
+/// Reads the project that all files share.
+/// \param hash  out: a number for the content of its files
+/// \returns the exit code
+int load_shared(const Reading& reading, const Globals& globals, std::uint64_t& hash) {
   Diagnostics diagnostics;
   diagnostics.warnings_are_errors = reading.is_strict;
-  auto project = load_project(reading, diagnostics);
+  Reading recorded = reading;
+  recorded.options.opened = std::make_shared<std::vector<CompanionFile>>();
+  const auto project = load_project(recorded, diagnostics);
   print_diagnostics(STDERR_FILENO, diagnostics, globals);
-  if (!project) return fail(std::move(project.error()));
-  return {};
+  if (!project) return print_failure(project.error(), diagnostics, reading.project, globals);
+  reading.loaded_project = *project;
+  for (const CompanionFile& file : *recorded.options.opened) {
+    hash = hash * 31 + content_hash(file.bytes);
+  }
+  return kDone;
 }
 
 }  // namespace
@@ -289,15 +297,18 @@ int run_many(const Many& many, const ManyWork& work, const Globals& globals) {
   if (const auto effective = expect_effects(work, plan->files); !effective) {
     return report(effective.error(), globals);
   }
-  if (auto loaded = load_shared(*work.reading, globals); !loaded) {
-    return report(loaded.error(), globals);
-  }
+  std::uint64_t hash = 0;
+  if (const int loaded = load_shared(*work.reading, globals, hash); loaded != kDone) return loaded;
   std::error_code fault;
   fs::create_directories(many.out_dir, fault);
   auto status = StatusFile::open(many.out_dir);
   if (!status) return report(status.error(), globals);
-  ManyRun run{
-      many, work, std::move(plan->files), *work.reading, hash_of_options(work), std::move(*status)};
+  ManyRun run{many,
+              work,
+              std::move(plan->files),
+              *work.reading,
+              hash ^ hash_of_options(work),
+              std::move(*status)};
   const int exit_code = work_on_all(run, globals);
   if (noted_signal() != 0) return exit_code;
   const auto used = expect_skeleton_used(*work.reading);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measures kinefile against named baselines in the same run and prints the ratios.
 
+#include "batch.hpp"
 #include "files.hpp"
 #include "keyframes.hpp"
 #include "kinefile/threads.hpp"
@@ -20,6 +21,7 @@ int run(int argc, char** argv) {
   add_files();
   add_printing();
   add_motions();
+  add_batch();
   const bool has_run = run_and_print(argc, argv);
   if (has_run) {
     print_disagreements();

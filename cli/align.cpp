@@ -43,7 +43,7 @@ void add_align(CLI::App& app, Globals& globals) {
   command->add_option("A", align->file, "The motion to bring onto the other")->required();
   command->add_option("B", align->reference, "The motion that sets the times")->required();
   add_flags(*command, retime::align_options(), align->options);
-  add_retiming_options(*command, align->retiming, true);
+  add_retiming_options(*command, align->retiming, true, false);
   command->callback(
       [align, &globals] { globals.run = [align, &globals] { return run(*align, globals); }; });
 }

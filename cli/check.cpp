@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "folders.hpp"
 #include "json_output.hpp"
+#include "many.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "skeleton_source.hpp"
@@ -18,6 +18,7 @@ struct Check {
   std::vector<std::string> files;
   bool is_json = false;
   bool is_recursive = false;
+  std::size_t num_jobs = 0;
   Reading reading;
 };
 
@@ -40,36 +41,23 @@ void print_summary(const std::string& path, const Diagnostics& diagnostics,
                             count(Severity::Warning, "warning"), count(Severity::Note, "note")));
 }
 
-/// The note about a file in a folder whose format is unknown.
-Diagnostic unknown_format(const std::string& path) {
-  Diagnostic note;
-  note.severity = Severity::Note;
-  note.code = "FMT005";
-  note.message = "neither the content nor the name shows a format; passed over";
-  note.place.source = path;
-  return note;
-}
-
-/// The note about folders in a folder.
-Diagnostic passed_over(const std::string& path, std::size_t num_folders) {
-  Diagnostic note;
-  note.severity = Severity::Note;
-  note.code = "FMT009";
-  note.message =
-      num_folders == 1
-          ? "a folder in it is passed over; --recursive reads it"
-          : fmt::format("{} folders in it are passed over; --recursive reads them", num_folders);
-  note.place.source = path;
-  return note;
-}
-
-/// The diagnostics of one file.
-Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_code) {
+/// What came of one file, and what reading it used.
+struct Checked {
   Diagnostics diagnostics;
+  int exit_code = kDone;
+  std::vector<const Format*> formats;
+  bool is_skeleton_used = false;
+};
+
+/// Checks a file. Called for several files at once.
+Checked check_file(const InputFile& file, const Reading& shared) {
+  Checked result;
+  Diagnostics& diagnostics = result.diagnostics;
   if (!file.is_known) {
     diagnostics.add(unknown_format(file.path));
-    return diagnostics;
+    return result;
   }
+  const Reading reading = shared;
   const DocumentSource source =
       [&](Diagnostics& noticed) -> Result<std::shared_ptr<const Document>> {
     auto document = load_quietly(file.path, reading, noticed);
@@ -79,9 +67,11 @@ Diagnostics check_file(const InputFile& file, const Reading& reading, int& exit_
   const auto checked =
       check(source, {source_name(file.path), source_of_skeleton(reading), reading.is_lenient},
             diagnostics);
-  if (!checked) exit_code = worse(exit_code, exit_code_of(checked.error()));
-  if (diagnostics.has_errors()) exit_code = worse(exit_code, kInvalid);
-  return diagnostics;
+  if (!checked) result.exit_code = exit_code_of(checked.error());
+  if (diagnostics.has_errors()) result.exit_code = worse(result.exit_code, kInvalid);
+  result.formats = reading.formats;
+  result.is_skeleton_used = reading.is_skeleton_used;
+  return result;
 }
 
 /// Prints the diagnostics of a file, or adds them to the array for JSON.
@@ -95,37 +85,52 @@ void report(const InputFile& file, const Diagnostics& diagnostics, const Check& 
   }
 }
 
-/// Checks a file, or the files of a folder.
-/// \returns the worse of the given exit code and that of the check
-int check_path(const std::string& path, const Check& check, const Globals& globals, Json& all,
-               int exit_code) {
-  const auto found = files_at(path, check.is_recursive);
+/// Reports what is to be said of a path after its files.
+/// \returns the exit code
+int report_path(const std::string& path, const Result<FolderFiles>& found, const Check& check,
+                const Globals& globals, Json& all) {
+  Diagnostics diagnostics;
   if (!found) {
-    Diagnostics diagnostics;
     diagnostics.add(found.error());
     report({path, false}, diagnostics, check, globals, all);
-    return worse(exit_code, exit_code_of(found.error()));
-  }
-  const std::vector<InputFile>& files = found->files;
-  for (const InputFile& file : files) {
-    const Diagnostics diagnostics = check_file(file, check.reading, exit_code);
-    report(file, diagnostics, check, globals, all);
+    return exit_code_of(found.error());
   }
   if (found->num_folders > 0) {
-    Diagnostics diagnostics;
-    diagnostics.add(passed_over(path, found->num_folders));
+    diagnostics.add(folders_passed_over(path, found->num_folders));
     report({path, false}, diagnostics, check, globals, all);
   }
-  const bool is_any_known =
-      std::any_of(files.begin(), files.end(), [](const InputFile& file) { return file.is_known; });
-  if (is_any_known) return exit_code;
-  return worse(
-      exit_code,
-      usage_error(globals,
-                  fmt::format("the folder '{}' holds no file of a format that can be read", path)));
+  return is_without_files(path, *found) ? usage_error(globals, no_files_in(path)) : kDone;
+}
+
+/// Checks all files.
+/// \returns the exit code
+int check_all(const Check& check, const Globals& globals, Json& all) {
+  const GivenFiles given = files_at_all(check.files, {check.is_recursive});
+  const Reading shared = check.reading;
+  int exit_code = kDone;
+  std::size_t num_paths = 0;  // that are reported
+  const auto report_paths_before = [&](std::size_t end) {
+    for (; num_paths < end; ++num_paths) {
+      exit_code = worse(exit_code, report_path(check.files[num_paths], given.paths[num_paths],
+                                               check, globals, all));
+    }
+  };
+  for_each_input<Checked>(
+      batch_of(given), [&](std::size_t i) { return check_file(given.file(i), shared); },
+      [&](std::size_t i, Checked&& checked) {
+        report_paths_before(given.files[i].first);
+        report(given.file(i), checked.diagnostics, check, globals, all);
+        exit_code = worse(exit_code, checked.exit_code);
+        for (const Format* format : checked.formats) note_format(format, check.reading);
+        check.reading.is_skeleton_used |= checked.is_skeleton_used;
+        return true;
+      });
+  report_paths_before(given.paths.size());
+  return exit_code;
 }
 
 int run(const Check& check, const Globals& globals) {
+  set_max_threads(check.num_jobs);
   int exit_code = kDone;
   Json all = Json::array();
   if (!check.reading.project.empty()) {  // once, before all files
@@ -136,10 +141,7 @@ int run(const Check& check, const Globals& globals) {
     if (!project && !diagnostics.has_errors()) diagnostics.add(project.error());
     report({check.reading.project}, diagnostics, check, globals, all);
   }
-  if (exit_code == kDone) {
-    for (const std::string& path : check.files)
-      exit_code = check_path(path, check, globals, all, exit_code);
-  }
+  if (exit_code == kDone) exit_code = check_all(check, globals, all);
   if (check.is_json) print_json(all);
   return finish_reading(check.reading, globals, exit_code);
 }
@@ -155,6 +157,7 @@ void add_check(CLI::App& app, Globals& globals) {
       ->required();
   command->add_flag("--json", check->is_json, "Print an array with an object a fault");
   command->add_flag("--recursive", check->is_recursive, "Read the folders in folders, too");
+  add_jobs_option(*command, check->num_jobs);
   add_reading_options(*command, check->reading);
   check->reading.options.keeps_times_without_rate = true;
   command->callback(

@@ -26,6 +26,7 @@ enum ExitCode : int {
 struct Globals {
   bool is_quiet = false;
   std::string color = "auto";
+  bool takes_many = false;   ///< --out-dir is among the words: every positional is an input
   std::function<int()> run;  ///< runs the selected command
 };
 
@@ -54,6 +55,16 @@ void add_reading_options(CLI::App& command, Reading& reading);
 /// Reads a file; null after a fault, which is then reported on stderr and counted in `exit_code`.
 std::optional<Document> load(const std::string& path, const Reading& reading,
                              const Globals& globals, int& exit_code);
+
+/// How a file is read; the project of `--project` was loaded before.
+ReadOptions read_options(const Reading& reading);
+
+/// Refuses --degrees without --project.
+/// \errors CLI001 (Usage)
+Result<void> expect_project(const Reading& reading);
+
+/// Notes that a file of this format is read; null: of an unknown one.
+void note_format(const Format* format, const Reading& reading);
 
 /// As `load`, but prints nothing: all messages are in `diagnostics`.
 Result<Document> load_quietly(const std::string& path, const Reading& reading,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "command.hpp"
+#include "many.hpp"
 #include "options.hpp"
 #include "writing.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 struct Convert {
   std::string in;
+  Many many;
   Writing writing;
   Reading reading;
 };
@@ -29,14 +31,24 @@ const Format* expected_format(const Convert& convert) {
   return format_of_output(convert.writing.out, convert.in, input);
 }
 
+/// If the output format has an encoding, the option applies to it; the input's is detected.
+void settle_encoding(const Format& output, Reading& reading) {
+  if (find_option(output.write_options, "encoding") != nullptr) reading.options.encoding.clear();
+}
+
+int run_on_many(Convert& convert, const Globals& globals) {
+  if (convert.writing.to.empty()) {
+    return usage_error(globals, "--out-dir needs --to, the format of the outputs");
+  }
+  settle_encoding(*find_format(convert.writing.to), convert.reading);
+  return run_many_documents(convert.many, convert.reading, convert.writing, {}, {}, globals);
+}
+
 int run(Convert& convert, const Globals& globals) {
+  if (globals.takes_many) return run_on_many(convert, globals);
   const Format* format = expected_format(convert);
   if (format == nullptr) return no_output_format(convert.writing, globals);
-  // If the output format has an encoding, the option applies to it; the input's encoding is
-  // detected.
-  if (find_option(format->write_options, "encoding") != nullptr) {
-    convert.reading.options.encoding.clear();
-  }
+  settle_encoding(*format, convert.reading);
   int exit_code = kDone;
   auto document = load(convert.in, convert.reading, globals, exit_code);
   if (!document) return exit_code;
@@ -52,9 +64,17 @@ int run(Convert& convert, const Globals& globals) {
 void add_convert(CLI::App& app, Globals& globals) {
   auto convert = std::make_shared<Convert>();
   CLI::App* command = app.add_subcommand("convert", "Write a file in another format");
-  command->add_option("IN", convert->in, "File to read; - is standard input")->required();
-  command->add_option("-o,--out,OUT", convert->writing.out, "File to write; - is standard output")
-      ->required();
+  CLI::Option* out = nullptr;
+  if (globals.takes_many) {
+    add_inputs(*command, convert->many);
+    out = command->add_option("-o,--out", convert->writing.out);
+  } else {
+    command->add_option("IN", convert->in, "File to read; - is standard input")->required();
+    out = command->add_option("-o,--out,OUT", convert->writing.out,
+                              "File to write; - is standard output");
+    out->required();
+  }
+  add_many_options(*command, convert->many, {out});
   add_adapting_options(*command, convert->writing, convert->reading);
   add_writing_options(*command, convert->writing);
   add_reading_options(*command, convert->reading);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "many.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "signals.hpp"
@@ -27,6 +28,7 @@ struct Fk {
   bool is_local = false;
   bool may_replace = false;
   bool is_comparing = false;
+  Many many;
   Reading reading;
 };
 
@@ -97,7 +99,41 @@ int compare(const Fk& fk, const Document& document, const Globals& globals) {
   return diagnostics.has_errors() ? kInvalid : kDone;
 }
 
+/// Writes the table of one of many files.
+Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
+                                            const Reading& reading, const OutputFiles& files,
+                                            Diagnostics& diagnostics) {
+  auto document = load_quietly(file.path, reading, diagnostics);
+  if (!document) return fail(std::move(document.error()));
+  auto placed = place(*document, source_of_skeleton(reading), reading.is_lenient, diagnostics);
+  if (!placed) return fail(std::move(placed.error()));
+  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  FkOptions options = options_of(fk);
+  options.name = file.path;
+  const auto table = kinefile::fk(std::move(*placed), options);
+  if (!table) return fail(table.error());
+  const auto sink = files.open(file.target);
+  if (!sink) return fail(sink.error());
+  write_table(*table, *file.to, *sink);
+  if (auto written = files.commit(); !written) return fail(std::move(written.error()));
+  return std::vector<std::string>{file.target};
+}
+
+int run_on_many(const Fk& fk, const Globals& globals) {
+  ManyWork work;
+  work.reading = &fk.reading;
+  work.may_replace = fk.may_replace;
+  work.to = output_format(fk);
+  work.writes_poses = true;
+  work.make = [&fk](const ManyFile& file, const Reading& reading, const OutputFiles& files,
+                    Diagnostics& diagnostics) {
+    return make_table(fk, file, reading, files, diagnostics);
+  };
+  return run_many(fk.many, work, globals);
+}
+
 int run(const Fk& fk, const Globals& globals) {
+  if (globals.takes_many) return run_on_many(fk, globals);
   const Format* format = output_format(fk);
   if (format == nullptr) {
     return usage_error(globals, fmt::format("'{}' shows no format that poses are written in; "
@@ -128,9 +164,14 @@ void add_fk(CLI::App& app, Globals& globals) {
   auto fk = std::make_shared<Fk>();
   CLI::App* command =
       app.add_subcommand("fk", "Place every joint in the world (forward kinematics)");
-  command->add_option("FILE", fk->file, "File to read; - is standard input")->required();
-  command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
-      ->type_name("OUT");
+  if (globals.takes_many) {
+    add_inputs(*command, fk->many);
+  } else {
+    command->add_option("FILE", fk->file, "File to read; - is standard input")->required();
+  }
+  CLI::Option* out =
+      command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
+          ->type_name("OUT");
   command->add_option("--to", fk->to, "Format of the output")
       ->check(CLI::IsMember(pose_formats()))
       ->type_name("FORMAT");
@@ -148,9 +189,11 @@ void add_fk(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"file", "m"}))
       ->default_str("file")
       ->type_name("UNIT");
-  command->add_flag("--compare", fk->is_comparing,
-                    "How far kinematics and the recorded poses of links differ at most, and in "
-                    "which frame (.seq with --skeleton)");
+  CLI::Option* compare =
+      command->add_flag("--compare", fk->is_comparing,
+                        "How far kinematics and the recorded poses of links differ at most, and in "
+                        "which frame (.seq with --skeleton)");
+  add_many_options(*command, fk->many, {out, compare});
   command->add_flag("--force", fk->may_replace, "Replace an existing file");
   add_reading_options(*command, fk->reading);
   command->callback([fk, &globals] { globals.run = [fk, &globals] { return run(*fk, globals); }; });

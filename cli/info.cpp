@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "command.hpp"
+#include "folders.hpp"
 #include "info_flow.hpp"
 #include "json_output.hpp"
+#include "many.hpp"
 #include "options.hpp"
 #include "report.hpp"
 
@@ -18,6 +20,8 @@ struct Options {
   bool is_tree = false;
   bool is_json = false;
   bool has_poses = false;
+  bool is_recursive = false;
+  std::size_t num_jobs = 0;
   Reading reading;
 };
 
@@ -271,44 +275,124 @@ Json json_of_document(const std::string& path, const Document& document) {
   return json;
 }
 
-/// Prints the content of a flow, or adds it to the array for JSON.
+/// What is told of one file, and what reading it used.
+struct Told {
+  Diagnostics diagnostics;
+  std::optional<Error> error;
+  std::string text;
+  Json json;
+  std::string refusal;  ///< why the request does not fit the file; empty: it does
+  std::vector<const Format*> formats;
+  bool is_skeleton_used = false;
+  std::shared_ptr<const RobotProject> project;
+};
+
 void tell_flow(const std::string& name, const Document& document, const Options& options,
-               Json& all) {
-  const RobotProject* const project = options.reading.loaded_project.get();
-  const Info told = info(document, {options.has_poses, project});
+               Told& told) {
+  const Info about = info(document, {options.has_poses, told.project.get()});
   if (options.is_json) {
-    all.push_back(flow_json(name, told, options.has_poses));
+    told.json = flow_json(name, about, options.has_poses);
     return;
   }
-  print_lines(flow_text(name, told));
-  if (options.has_poses) print_lines(poses_text(told.flow->poses));
+  told.text = flow_text(name, about);
+  if (options.has_poses) told.text += poses_text(about.flow->poses);
+}
+
+void tell(const std::string& name, const Document& document, const Options& options, Told& told) {
+  const bool is_flow = std::holds_alternative<PoseFlow>(document.content);
+  if (options.has_poses && !is_flow) {
+    told.refusal = fmt::format("'{}' holds no flow of poses", name);
+  } else if (is_flow && (options.is_json || !options.is_tree)) {
+    tell_flow(name, document, options, told);
+  } else if (options.is_json) {
+    told.json = json_of_document(name, document);
+  } else if (!options.is_tree) {
+    told.text = text_of(name, document);
+  } else if (has_skeleton(document)) {
+    told.text = tree_of(skeleton_of(document));
+  } else {
+    told.refusal = fmt::format("'{}' holds no skeleton to draw", name);
+  }
+}
+
+std::string name_of(const InputFile& file) { return file.path == "-" ? "<stdin>" : file.path; }
+
+/// Tells of a file. Called for several files at once.
+Told told_of(const InputFile& file, const Options& options, const Reading& shared) {
+  Told told;
+  if (!file.is_known) {
+    told.diagnostics.add(unknown_format(file.path));
+    return told;
+  }
+  const Reading reading = shared;
+  const auto document = load_quietly(file.path, reading, told.diagnostics);
+  told.project = reading.loaded_project;
+  if (document) {
+    tell(name_of(file), *document, options, told);
+  } else {
+    told.error = document.error();
+  }
+  told.formats = reading.formats;
+  told.is_skeleton_used = reading.is_skeleton_used;
+  return told;
+}
+
+/// Prints what was told of a file, or adds it to the array for JSON.
+/// \returns the exit code
+int print_told(const InputFile& file, bool has_title, Told&& told, const Options& options,
+               const Globals& globals, Json& all) {
+  print_diagnostics(STDERR_FILENO, told.diagnostics, globals);
+  for (const Format* format : told.formats) note_format(format, options.reading);
+  options.reading.is_skeleton_used |= told.is_skeleton_used;
+  if (told.error) {
+    if (!told.diagnostics.has_errors()) print_error(*told.error, globals);
+    return exit_code_of(*told.error);
+  }
+  if (has_title && file.is_known) print_lines(fmt::format("{}:\n", name_of(file)));
+  print_lines(told.text);
+  if (!told.json.is_null()) all.push_back(std::move(told.json));
+  return told.refusal.empty() ? kDone : usage_error(globals, told.refusal);
+}
+
+/// Reports what is to be said of a path besides its files.
+/// \returns the exit code
+int print_path(const std::string& path, const Result<FolderFiles>& found, const Globals& globals) {
+  if (!found) {
+    print_error(found.error(), globals);
+    return exit_code_of(found.error());
+  }
+  if (found->num_folders > 0) {
+    Diagnostics diagnostics;
+    diagnostics.add(folders_passed_over(path, found->num_folders));
+    print_diagnostics(STDERR_FILENO, diagnostics, globals);
+  }
+  return is_without_files(path, *found) ? usage_error(globals, no_files_in(path)) : kDone;
 }
 
 int run(const Options& options, const Globals& globals) {
+  set_max_threads(options.num_jobs);
   int exit_code = kDone;
   Json all = Json::array();
-  for (const std::string& path : options.files) {
-    const auto document = load(path, options.reading, globals, exit_code);
-    if (!document) continue;
-    const std::string name = path == "-" ? "<stdin>" : path;
-    const bool is_flow = std::holds_alternative<PoseFlow>(document->content);
-    if (options.has_poses && !is_flow) {
-      return usage_error(globals, fmt::format("'{}' holds no flow of poses", name));
-    }
-    if (is_flow && (options.is_json || !options.is_tree)) {
-      tell_flow(name, *document, options, all);
-    } else if (options.is_json) {
-      all.push_back(json_of_document(name, *document));
-    } else if (options.is_tree) {
-      if (options.files.size() > 1) print_lines(fmt::format("{}:\n", name));
-      if (!has_skeleton(*document)) {
-        return usage_error(globals, fmt::format("'{}' holds no skeleton to draw", name));
-      }
-      print_lines(tree_of(skeleton_of(*document)));
-    } else {
-      print_lines(text_of(name, *document));
-    }
+  const GivenFiles given = files_at_all(options.files, {options.is_recursive});
+  for (std::size_t i = 0; i < given.paths.size(); ++i) {
+    exit_code = worse(exit_code, print_path(options.files[i], given.paths[i], globals));
   }
+  const bool has_titles = options.is_tree && !options.is_json && given.files.size() > 1;
+  Reading shared = options.reading;
+  // The first file reads the project for all.
+  const Batch batch{given.files.size(), [&, inner = batch_of(given)](std::size_t i) {
+                      return (i == 0 && !shared.project.empty()) || inner.is_alone(i);
+                    }};
+  const bool fits = for_each_input<Told>(
+      batch, [&](std::size_t i) { return told_of(given.file(i), options, shared); },
+      [&](std::size_t i, Told&& told) {
+        if (i == 0) shared.loaded_project = told.project;
+        const bool is_refused = !told.refusal.empty();
+        exit_code = worse(exit_code, print_told(given.file(i), has_titles, std::move(told), options,
+                                                globals, all));
+        return !is_refused;
+      });
+  if (!fits) return kUsage;
   if (options.is_json) print_json(all);
   return finish_reading(options.reading, globals, exit_code);
 }
@@ -318,11 +402,15 @@ int run(const Options& options, const Globals& globals) {
 void add_info(CLI::App& app, Globals& globals) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Tell what files hold");
-  command->add_option("FILE", options->files, "Files to read; - is standard input")->required();
+  command
+      ->add_option("FILE", options->files, "Files to read, or folders of such; - is standard input")
+      ->required();
   command->add_flag("--tree", options->is_tree, "Draw the hierarchy of joints, and no more");
   command->add_flag("--poses", options->has_poses,
                     "Of a flow of servo poses: also print its poses, with --project in degrees");
   command->add_flag("--json", options->is_json, "Print an array with an object a file");
+  command->add_flag("--recursive", options->is_recursive, "Read the folders in folders, too");
+  add_jobs_option(*command, options->num_jobs);
   add_reading_options(*command, options->reading);
   options->reading.options.keeps_times_without_rate = true;
   command->callback([options, &globals] {

@@ -82,7 +82,7 @@ int run(const Keyframe& keyframe, const Globals& globals) {
     print_diagnostics(STDERR_FILENO, diagnostics, globals);
     return print_failure(std::move(error), diagnostics, keyframe.file, globals);
   };
-  if (const auto effect = expect_options_of(keyframe.reading, format); !effect) {
+  if (const auto effect = expect_options_of(keyframe.reading, {&format, 1}); !effect) {
     return finish(effect.error());
   }
   const auto map = read_servo_map(keyframe.servo_map, diagnostics);

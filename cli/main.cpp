@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -20,6 +21,13 @@ std::string first_word(int argc, char** argv) {
     if (std::string_view(argv[i]) == "--color") ++i;
   }
   return {};
+}
+
+/// Whether --out-dir is among the words, which makes every positional an input.
+bool asks_for_many(int argc, char** argv) {
+  return std::any_of(argv + std::min(argc, 1), argv + argc, [](std::string_view word) {
+    return word == "--out-dir" || word.starts_with("--out-dir=");
+  });
 }
 
 /// Prints the help or the version that was asked for, or what is wrong with the words.
@@ -43,9 +51,11 @@ int run(int argc, char** argv) {
   app.footer(
       "Data goes to stdout, everything else to stderr.\n"
       "Exit codes: 0 done, 1 the input is not valid (diff: the motions differ), 2 usage,\n"
-      "3 a file could not be read or written, 4 refused because data would be lost.\n"
+      "3 a file could not be read or written, 4 refused because data would be lost,\n"
+      "5 some of many files failed.\n"
       "'kinefile COMMAND --help' tells more of a command.");
   Globals globals;
+  globals.takes_many = asks_for_many(argc, argv);
   app.add_flag("-q,--quiet", globals.is_quiet, "No notes, no warnings: errors alone");
   app.add_option("--color", globals.color, "Colour messages: auto, always, never")
       ->check(CLI::IsMember({"auto", "always", "never"}))

@@ -50,17 +50,20 @@ bool is_read_option(const Reading& reading, std::string_view option) {
 }
 
 /// The formats that an option is for, and those that it was given for.
-std::string refusal(std::string_view option, const Reading& reading, const Format* output) {
-  std::vector<std::string_view> inputs;
-  for (const Format* format : reading.formats) inputs.push_back(format->name);
+std::string refusal(std::string_view option, const Reading& reading,
+                    std::span<const Format* const> outputs) {
+  std::vector<std::string_view> from;
+  std::vector<std::string_view> to;
+  for (const Format* format : reading.formats) from.push_back(format->name);
+  for (const Format* format : outputs) to.push_back(format->name);
   std::vector<std::string> uses;
   const auto readers = users_of(option, reads_with);
   const auto writers = users_of(option, writes_with);
   if (!readers.empty()) uses.push_back("reading " + listed(readers));
   if (!writers.empty()) uses.push_back("writing " + listed(writers));
   return fmt::format("--{} has no effect {}: it is for {}", option,
-                     output != nullptr ? fmt::format("from {} to {}", listed(inputs), output->name)
-                                       : fmt::format("on {}", listed(inputs)),
+                     to.empty() ? fmt::format("on {}", listed(from))
+                                : fmt::format("from {} to {}", listed(from), listed(to)),
                      fmt::join(uses, ", and for "));
 }
 
@@ -121,7 +124,7 @@ void add_flag(CLI::App& command, const TableFlag& flag) {
   add_check(*option, flag);
 }
 
-Result<void> expect_options_of(const Reading& reading, const Format* output) {
+Result<void> expect_options_of(const Reading& reading, std::span<const Format* const> outputs) {
   if (reading.command == nullptr || reading.formats.empty()) return {};
   for (const CLI::Option* option : reading.command->get_options()) {
     if (option->count() == 0) continue;
@@ -130,8 +133,10 @@ Result<void> expect_options_of(const Reading& reading, const Format* output) {
     const bool is_of_formats =
         !users_of(name, reads_with).empty() || !users_of(name, writes_with).empty();
     const bool has_use = !is_of_formats || is_read_option(reading, name) ||
-                         (output != nullptr && writes_with(*output, name));
-    if (!has_use) return no_effect(refusal(name, reading, output));
+                         std::any_of(outputs.begin(), outputs.end(), [&name](const Format* output) {
+                           return writes_with(*output, name);
+                         });
+    if (!has_use) return no_effect(refusal(name, reading, outputs));
   }
   return {};
 }
@@ -143,7 +148,7 @@ Result<void> expect_skeleton_used(const Reading& reading) {
 }
 
 int finish_reading(const Reading& reading, const Globals& globals, int exit_code) {
-  auto effect = expect_options_of(reading, nullptr);
+  auto effect = expect_options_of(reading, {});
   if (effect) effect = expect_skeleton_used(reading);
   if (effect) return exit_code;
   print_error(effect.error(), globals);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,11 +58,11 @@ void add_flags(CLI::App& command, std::span<const Option<Target>> table, Target&
   for (const TableFlag& flag : flags) add_flag(command, flag);
 }
 
-/// Refuses the first given option that has no effect on the files that were read and on the output,
-/// by the tables of options of their formats.
-/// \param output  the format of the output, or null
+/// Refuses the first given option that has no effect on any of the files that were read and on any
+/// output, by the tables of options of their formats.
+/// \param outputs  the formats of the outputs
 /// \errors CLI003 (Usage)
-Result<void> expect_options_of(const Reading& reading, const Format* output);
+Result<void> expect_options_of(const Reading& reading, std::span<const Format* const> outputs);
 
 /// Refuses --skeleton if it was not read.
 /// \errors CLI003 (Usage)

@@ -58,20 +58,24 @@ void add_format(const Reading& reading, const Format* format) {
   if (std::find(known.begin(), known.end(), format) == known.end()) known.push_back(format);
 }
 
-/// Records the format of a file; if the file could not be read, the expected format.
-void note_format(const std::string& path, const Reading& reading, const Format* asked,
-                 const Result<Document>& document) {
-  const Format* format = document ? find_format(document->format) : asked;
-  if (format == nullptr) format = format_of_name(path);
+}  // namespace
+
+void note_format(const Format* format, const Reading& reading) {
   add_format(reading, format);
   if (format == nullptr || !format->takes_skeleton || reading.skeleton.empty()) return;
   reading.is_skeleton_used = true;
   add_format(reading, format_of_name(reading.skeleton));
 }
 
-}  // namespace
-
 namespace {
+
+/// Records the format of a file; if the file could not be read, the expected format.
+void note_format(const std::string& path, const Reading& reading, const Format* asked,
+                 const Result<Document>& document) {
+  const Format* format = document ? find_format(document->format) : asked;
+  if (format == nullptr) format = format_of_name(path);
+  note_format(format, reading);
+}
 
 bool asks_for_degrees(const Reading& reading) {
   const CLI::Option* option = reading.command->get_option_no_throw("--degrees");
@@ -80,19 +84,26 @@ bool asks_for_degrees(const Reading& reading) {
 
 }  // namespace
 
-Result<Document> load_quietly(const std::string& path, const Reading& reading,
-                              Diagnostics& diagnostics) {
-  diagnostics.warnings_are_errors = reading.is_strict;
-  if (asks_for_degrees(reading) && reading.project.empty()) {
-    return fail(ErrorKind::Usage, "CLI001",
-                "--degrees needs --project, which says what words mean");
-  }
+Result<void> expect_project(const Reading& reading) {
+  if (!asks_for_degrees(reading) || !reading.project.empty()) return {};
+  return fail(ErrorKind::Usage, "CLI001", "--degrees needs --project, which says what words mean");
+}
+
+ReadOptions read_options(const Reading& reading) {
   ReadOptions options = reading.options;
   options.lenient = reading.is_lenient;
   options.skeleton_name = reading.skeleton;
+  options.project = reading.loaded_project;
+  return options;
+}
+
+Result<Document> load_quietly(const std::string& path, const Reading& reading,
+                              Diagnostics& diagnostics) {
+  diagnostics.warnings_are_errors = reading.is_strict;
+  if (auto named = expect_project(reading); !named) return fail(std::move(named.error()));
   auto project = load_project(reading, diagnostics);
   if (!project) return fail(std::move(project.error()));
-  options.project = std::move(*project);
+  const ReadOptions options = read_options(reading);
   const Format* format = reading.from.empty() ? nullptr : find_format(reading.from);
   auto document = read_file(path, format, options, diagnostics);
   note_format(path, reading, format, document);

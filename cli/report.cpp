@@ -27,16 +27,34 @@ Data& data() {
   return own;
 }
 
+/// The line that `show_status_line` shows.
+std::string& status_line() {
+  static std::string line;
+  return line;
+}
+
+OutputFile& messages() {
+  static OutputFile stream = OutputFile::of_stream(STDERR_FILENO, "<stderr>");
+  return stream;
+}
+
+void remove_status_line() {
+  constexpr std::string_view kErase = "\r\x1b[K";
+  if (!status_line().empty()) messages().write(kErase);
+  status_line().clear();
+}
+
 void flush_data() {
   Data& own = data();
+  if (!own.waiting.empty()) remove_status_line();
   own.stream.write(own.waiting);
   own.waiting.clear();
 }
 
 void write_message(std::string_view text) {
   flush_data();  // what was printed before stays before it
-  static OutputFile messages = OutputFile::of_stream(STDERR_FILENO, "<stderr>");
-  messages.write(text);
+  remove_status_line();
+  messages().write(text);
 }
 
 /// What of a text for people is printable, line by line.
@@ -122,6 +140,12 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
   if (error.place.source.empty()) error.place.source = file;
   if (!diagnostics.has_errors()) print_error(error, globals);
   return exit_code_of(error);
+}
+
+void show_status_line(const std::string& text) {
+  remove_status_line();
+  messages().write(text);
+  status_line() = text;
 }
 
 void print_message(std::string_view text) { write_message(printable_lines(text)); }

@@ -24,6 +24,10 @@ int print_failure(Error error, const Diagnostics& diagnostics, const std::string
 /// Prints a message for people on stderr, as `print_lines`. A full or closed stream is no fault.
 void print_message(std::string_view text);
 
+/// Shows a line on stderr, which is a terminal, instead of the last one, until something else is
+/// printed; an empty one removes it.
+void show_status_line(const std::string& text);
+
 /// Prints a text for people on stdout: of its control characters only line ends stay as they are.
 void print_lines(std::string_view text);
 

@@ -13,7 +13,16 @@ struct Resample {
   Retiming retiming;
 };
 
+int run_on_many(const Resample& resample, const Globals& globals) {
+  const auto retime = [&resample](Document& document, Diagnostics& diagnostics) {
+    return retime::resample(document, resample.frame_rate, options_of(resample.retiming),
+                            diagnostics);
+  };
+  return retime_many(resample.retiming, retime, globals);
+}
+
 int run(const Resample& resample, const Globals& globals) {
+  if (globals.takes_many) return run_on_many(resample, globals);
   int exit_code = kDone;
   auto document = load_motion(resample.file, resample.retiming.reading, globals, exit_code);
   if (!document) return exit_code;
@@ -33,8 +42,8 @@ void add_resample(CLI::App& app, Globals& globals) {
   auto resample = std::make_shared<Resample>();
   CLI::App* command =
       app.add_subcommand("resample", "Give a motion another frame rate and the same duration");
-  command->add_option("FILE", resample->file, "File to read; - is standard input")->required();
-  add_retiming_options(*command, resample->retiming, false);
+  add_retiming_inputs(*command, resample->file, resample->retiming, globals);
+  add_retiming_options(*command, resample->retiming, false, true);
   // Here --fps is the output's rate; the input's rate comes from the file.
   command->remove_option(command->get_option("--fps"));
   command->add_option("--fps", resample->frame_rate, "Frames a second of the output")

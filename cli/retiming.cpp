@@ -18,6 +18,10 @@ void print_table(const retime::TimeMap& map) {
   print_data({text.data(), text.size()});
 }
 
+Error no_motion(const std::string& path) {
+  return make_error(ErrorKind::Usage, "CLI001", fmt::format("'{}' holds no motion", path));
+}
+
 }  // namespace
 
 retime::RetimeOptions options_of(const Retiming& retiming) {
@@ -26,19 +30,43 @@ retime::RetimeOptions options_of(const Retiming& retiming) {
   return options;
 }
 
-void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table) {
+void add_retiming_inputs(CLI::App& command, std::string& file, Retiming& retiming,
+                         const Globals& globals) {
+  if (globals.takes_many) {
+    add_inputs(command, retiming.many);
+  } else {
+    command.add_option("FILE", file, "File to read; - is standard input")->required();
+  }
+}
+
+int retime_many(
+    const Retiming& retiming,
+    const std::function<Result<void>(Document& document, Diagnostics& diagnostics)>& retime,
+    const Globals& globals) {
+  const ManyChange change = [&retime](const ManyFile& file, Document& document, const Reading&,
+                                      Diagnostics& diagnostics) -> Result<void> {
+    if (!retime::has_frames(document)) return fail(no_motion(file.path));
+    return retime(document, diagnostics);
+  };
+  return run_many_documents(retiming.many, retiming.reading, retiming.writing, change, {}, globals);
+}
+
+void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table, bool takes_many) {
   add_flags(command, retime::retime_options(), retiming.options);
   retiming.writing.out = "-";
   CLI::Option* out = command
                          .add_option("-o,--out", retiming.writing.out,
                                      "File to write; else standard output, in the input's format")
                          ->type_name("OUT");
+  std::vector<CLI::Option*> for_one_file = {out};
   if (has_table) {
-    command
-        .add_flag("--table", retiming.prints_table,
-                  "Print new,old for every new frame instead of the motion")
-        ->excludes(out);
+    CLI::Option* table = command
+                             .add_flag("--table", retiming.prints_table,
+                                       "Print new,old for every new frame instead of the motion")
+                             ->excludes(out);
+    for_one_file.push_back(table);
   }
+  if (takes_many) add_many_options(command, retiming.many, for_one_file);
   add_writing_options(command, retiming.writing);
   add_reading_options(command, retiming.reading);
 }
@@ -48,7 +76,7 @@ std::optional<Document> load_motion(const std::string& path, const Reading& read
   auto document = load(path, reading, globals, exit_code);
   if (!document) return document;
   if (retime::has_frames(*document)) return document;
-  exit_code = usage_error(globals, fmt::format("'{}' holds no motion", path));
+  exit_code = usage_error(globals, no_motion(path).message);
   return std::nullopt;
 }
 

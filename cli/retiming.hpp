@@ -4,6 +4,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "many.hpp"
 #include "writing.hpp"
 
 namespace kinefile::cli {
@@ -12,6 +13,7 @@ namespace kinefile::cli {
 struct Retiming {
   retime::RetimeOptions options;  ///< set through `retime::retime_options`
   bool prints_table = false;
+  Many many;
   Writing writing;
   Reading reading;
 };
@@ -19,8 +21,20 @@ struct Retiming {
 /// How the motion is shown at other times, with the leniency of reading.
 retime::RetimeOptions options_of(const Retiming& retiming);
 
-/// Adds the options of `Retiming` to a command; with `--table` if it can print its map.
-void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table);
+/// Adds the options of `Retiming` to a command; with `--table` if it can print its map, with
+/// `--out-dir` if it takes many files.
+void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table, bool takes_many);
+
+/// Adds the positional argument of a command that takes one file, or many with --out-dir.
+void add_retiming_inputs(CLI::App& command, std::string& file, Retiming& retiming,
+                         const Globals& globals);
+
+/// Runs a command on many files.
+/// \param retime  changes the motion of a document
+int retime_many(
+    const Retiming& retiming,
+    const std::function<Result<void>(Document& document, Diagnostics& diagnostics)>& retime,
+    const Globals& globals);
 
 /// Reads a motion or a body motion; reports the error if there is none.
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,

@@ -160,8 +160,9 @@ int run_command(const Run& run, const Globals& globals) {
   int exit_code = kDone;
   const auto flow = load_flow(run.file, run.reading, globals, exit_code);
   if (!flow) return exit_code;
-  const Format* output = run.is_trace ? nullptr : format_of(run);
-  if (const auto effect = expect_options_of(run.reading, output); !effect) {
+  const Format* const output = run.is_trace ? nullptr : format_of(run);
+  const std::span<const Format* const> outputs(&output, output != nullptr ? 1 : 0);
+  if (const auto effect = expect_options_of(run.reading, outputs); !effect) {
     print_error(effect.error(), globals);
     return kUsage;
   }

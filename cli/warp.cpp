@@ -15,7 +15,17 @@ struct Warp {
   Retiming retiming;
 };
 
+int run_on_many(const Warp& warp, const Globals& globals) {
+  const auto retime = [&warp](Document& document, Diagnostics& diagnostics) -> Result<void> {
+    const auto map = retime::warp_map(document, warp.options, diagnostics);
+    if (!map) return fail(map.error());
+    return retime::apply(document, *map, options_of(warp.retiming), diagnostics);
+  };
+  return retime_many(warp.retiming, retime, globals);
+}
+
 int run(const Warp& warp, const Globals& globals) {
+  if (globals.takes_many) return run_on_many(warp, globals);
   int exit_code = kDone;
   auto document = load_motion(warp.file, warp.retiming.reading, globals, exit_code);
   if (!document) return exit_code;
@@ -32,9 +42,9 @@ void add_warp(CLI::App& app, Globals& globals) {
   auto warp = std::make_shared<Warp>();
   CLI::App* command =
       app.add_subcommand("warp", "Move frames to other times, and all between with them");
-  command->add_option("FILE", warp->file, "File to read; - is standard input")->required();
+  add_retiming_inputs(*command, warp->file, warp->retiming, globals);
   add_flags(*command, retime::warp_options(), warp->options);
-  add_retiming_options(*command, warp->retiming, true);
+  add_retiming_options(*command, warp->retiming, true, true);
   command->callback(
       [warp, &globals] { globals.run = [warp, &globals] { return run(*warp, globals); }; });
 }

@@ -95,8 +95,10 @@ Result<JointMap> load_joint_map(const std::string& path, Diagnostics& diagnostic
   return parse_joint_map(bytes->view(), path, diagnostics);
 }
 
-Result<AdaptOptions> adapt_options(const Writing& writing, const Reading& reading,
-                                   Diagnostics& diagnostics) {
+}  // namespace
+
+Result<AdaptOptions> adapting_options(const Writing& writing, const Reading& reading,
+                                      Diagnostics& diagnostics) {
   AdaptOptions adapting = writing.adapting;
   adapting.channels.lenient = reading.is_lenient;
   adapting.kinds.lenient = reading.is_lenient;
@@ -110,9 +112,11 @@ Result<AdaptOptions> adapt_options(const Writing& writing, const Reading& readin
   return adapting;
 }
 
+namespace {
+
 Result<void> write_adapted(Document&& document, const Format& format, const Writing& writing,
                            const Reading& reading, Diagnostics& diagnostics) {
-  const auto adapting = adapt_options(writing, reading, diagnostics);
+  const auto adapting = adapting_options(writing, reading, diagnostics);
   if (!adapting) return fail(adapting.error());
   WriteOptions options = writing.format;
   options.project = reading.loaded_project;
@@ -128,7 +132,8 @@ Result<void> write_adapted(Document&& document, const Format& format, const Writ
 int write_document(Result<void> made, Document&& document, const Format& format,
                    const Writing& writing, const std::string& source, const Reading& reading,
                    Diagnostics& diagnostics, const Globals& globals) {
-  if (made) made = expect_options_of(reading, &format);
+  const Format* const output = &format;
+  if (made) made = expect_options_of(reading, {&output, 1});
   if (made) made = write_adapted(std::move(document), format, writing, reading, diagnostics);
   print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (made) return kDone;

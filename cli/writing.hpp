@@ -44,6 +44,12 @@ int no_output_format(const Writing& writing, const Globals& globals);
 const Format* output_format(const Writing& writing, const std::string& source,
                             const Document& input);
 
+/// The options of `adapt`, with the files that they name.
+/// \param reading  must outlive them
+/// \errors IO001 if the joint map cannot be read, those of `parse_joint_map`
+Result<AdaptOptions> adapting_options(const Writing& writing, const Reading& reading,
+                                      Diagnostics& diagnostics);
+
 /// Ends a command that makes a document from a file: converts it for the format and writes it,
 /// unless making it failed, and reports all diagnostics on stderr.
 /// \returns the exit code

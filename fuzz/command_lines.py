@@ -63,7 +63,7 @@ def options_of_commands():
         for command in re.findall(r"^  ([a-z-]+) {2,}", listed.partition("Subcommands:")[2], re.M):
             text = run([command, "--help"], folder).stdout.decode()
             lines = re.findall(r"^  (?:-\w,)?(--[\w-]+)(?: (\S+))?", text, re.M)
-            found[command] = [(word, "" if kind == "Needs:" else kind) for word, kind in lines
+            found[command] = [(word, "" if kind in ("Needs:", "Excludes:") else kind) for word, kind in lines
                               if word not in LEFT_OUT]
     return found
 
@@ -104,6 +104,8 @@ class Words:
         """What stands behind an option: mostly what it expects."""
         of_set = re.search(r"\{(.*)\}", kind)
         sure = self.random.random() < 0.8
+        if option == "--out-dir":  # never outside of the folder
+            return self.random.choice(["many", "many", "many/deep", "folder", ".", "", "positions.bvh", "a\nb"])
         if sure and of_set:
             return self.random.choice(of_set[1].split(","))
         if sure and "|" in kind:
@@ -151,8 +153,12 @@ class Words:
         words = self.positionals(command)
         for option, kind in self.some_options(command):
             words += [option] + ([self.value(option, kind)] if kind else [])
-        if command in ("edit", "warp", "align", "resample", "keyframe", "run", "fk", "view", "servo-map"):
+        if command in ("edit", "warp", "align", "resample", "keyframe", "run", "fk", "view", "servo-map") and (
+                "--out-dir" not in words or self.random.random() < 0.1):
             words += ["-o", self.output()]
+        if "--out-dir" in words:
+            words += [self.random.choice(["folder", ".", self.file()])] if self.random.random() < 0.5 else []
+            words += ["--to", self.random.choice(["bvh", "amc", "csv", "json"])] if "--to" not in words else []
         if "--skeleton" not in words and command != "servo-map" and self.random.random() < 0.2:
             words += ["--skeleton", self.random.choice(["robot.body", "leg.urdf", "bones.asf"])]
         if command == "keyframe":
@@ -210,7 +216,7 @@ def run_one(number, files, commands):
             fault = fault_of_run(done)
         except subprocess.TimeoutExpired:
             return number, words, None, 0, ["more than ten seconds"]
-        after = [path for path in folder.rglob("*") if path.is_file() and
+        after = [path for path in folder.rglob("*") if path.is_file() and path.name != ".kinefile-status" and
                  path.stat().st_mtime_ns != before.get(path)]
         faults = [fault] if fault else []
         for path in after:
@@ -225,7 +231,7 @@ def fault_of_run(done):
     said = done.stderr.decode(errors="replace")
     if "Sanitizer" in said or "runtime error:" in said:
         return said
-    if done.returncode not in range(5):
+    if done.returncode not in range(6):
         return f"exit code {done.returncode}: {said}"
     return done.returncode > 1 and not said and "no word of what is wrong"
 

@@ -49,7 +49,7 @@ PUBLIC = {
     "kinematics": "kinematics", "compare": "kinematics", "joint_rotation": "kinematics",
     "anomalies": "kinematics", "joint_curves": "kinematics", "limits": "kinematics", "evidence": "kinematics",
     "retime": "retime", "edit": "edit", "shape": "shape", "flow": "flow", "robot": "robot",
-    "servo": "servo", "operation": "model", "process": "document", "convert": "document",
+    "servo": "servo", "operation": "model", "process": "document", "batch": "document", "convert": "document",
     "check": "document", "marks": "document", "place": "document", "info": "document", "fk": "document",
     "differences": "document", "run": "document", "retime_documents": "document", "io": "io", "kinefile": "all",
 }

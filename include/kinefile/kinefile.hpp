@@ -5,6 +5,7 @@
 
 #include "kinefile/anomalies.hpp"
 #include "kinefile/array.hpp"
+#include "kinefile/batch.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/bvh.hpp"
 #include "kinefile/check.hpp"

@@ -54,6 +54,9 @@ struct Job {
   std::optional<std::string_view> bytes = std::nullopt;  ///< read instead of a file
   const Format* from = nullptr;                          ///< null: detected from content and name
   ReadOptions reading = {};
+  bool strict = false;  ///< warnings are errors
+  /// Changes the document before the operations do; null: only they change it.
+  std::function<Result<void>(Document& document, Diagnostics& diagnostics)> change = {};
   std::vector<Operation> operations = {};
   OperationContext context = {};
   std::string target;          ///< the output's name; its companions are named after it

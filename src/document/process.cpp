@@ -110,6 +110,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
 
 Report process(const Job& job, const OutputFiles& files) {
   Report report;
+  report.diagnostics.warnings_are_errors = job.strict;
   const auto ended = [&report](const Error& error) {
     report.error = error;
     return std::move(report);
@@ -126,7 +127,8 @@ Report process(const Job& job, const OutputFiles& files) {
     return ended(make_error(ErrorKind::Usage, "CLI001",
                             fmt::format("'{}' shows no format by its name", job.target)));
   }
-  auto applied = apply(job.operations, *document, job.context, report.diagnostics);
+  auto applied = job.change ? job.change(*document, report.diagnostics) : Result<void>();
+  if (applied) applied = apply(job.operations, *document, job.context, report.diagnostics);
   if (!applied) return ended(applied.error());
   WriteOptions options = job.writing;
   auto adapted = adapt(std::move(*document), *format, job.adapting, options, report.diagnostics);

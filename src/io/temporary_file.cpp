@@ -147,6 +147,11 @@ int TemporaryFile::take_name(const std::string& path,
                              const std::function<int(const std::string&)>& take) {
   // Counted first: a signal that comes between the two must find it counted.
   if (cancellation_ != nullptr) ++cancellation_->num_temporary_files;
+  // A signal that came before, on another thread, did not find it counted and ends the process.
+  if (cancellation_ != nullptr && cancellation_->is_requested) {
+    forget_name();
+    return ECANCELED;
+  }
   int fault = EEXIST;
   for (int slot = 0; slot < kNumSlots && fault == EEXIST; ++slot) {
     name_ = slot_name(path, slot);

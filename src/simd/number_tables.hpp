@@ -54,7 +54,8 @@ struct SignBits {
   alignas(32) std::array<std::array<std::uint64_t, 4>, 16> values{};
   constexpr SignBits() {
     for (std::size_t signs = 0; signs < 16; ++signs) {
-      for (std::size_t i = 0; i < 4; ++i) values[signs][i] = (signs >> i & 1) << 63;
+      for (std::size_t i = 0; i < 4; ++i)
+        values[signs][i] = static_cast<std::uint64_t>(signs >> i & 1) << 63;
     }
   }
 };

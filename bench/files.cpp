@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "baselines.hpp"
+#include "kinefile/threads.hpp"
 #include "report.hpp"
 #include "subject.hpp"
 
@@ -18,6 +19,14 @@ namespace {
 
 void read_kinefile(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path, "bvh"));
+}
+
+/// By the clock, with a number of threads.
+template <std::size_t kThreads>
+void read_on_threads(benchmark::State& state) {
+  set_max_threads(kThreads);
+  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path, "bvh"));
+  set_max_threads(1);
 }
 
 void read_bare_loop(benchmark::State& state) {
@@ -56,6 +65,19 @@ void read_csv_bare_loop(benchmark::State& state) {
 void read_seq_kinefile(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(read_or_exit(subject().seq_path, "choreonoid"));
+  }
+}
+
+void read_rounded_seq_kinefile(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(read_or_exit(subject().rounded_seq_path, "choreonoid"));
+  }
+}
+
+void read_rounded_seq_libyaml(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().rounded_seq_path);
+    benchmark::DoNotOptimize(sum_with_libyaml(bytes->view()));
   }
 }
 
@@ -122,6 +144,10 @@ void add_files() {
   measure("read_csv/bare_fast_float_loop", read_csv_bare_loop);
   measure("read_seq/kinefile", read_seq_kinefile);
   measure("read_seq/libyaml_strtod", read_seq_libyaml);
+  measure("read_rounded_seq/kinefile", read_rounded_seq_kinefile);
+  measure("read_rounded_seq/libyaml_strtod", read_rounded_seq_libyaml);
+  measure("read_on_one_thread", read_on_threads<1>, Time::Clock);
+  measure("read_on_two_threads", read_on_threads<2>, Time::Clock);
   measure("write/kinefile", write_kinefile);
   compare("reading BVH, against a bare fast_float loop", "read/kinefile",
           "read/bare_fast_float_loop");
@@ -130,8 +156,11 @@ void add_files() {
           "read_amc/bare_fast_float_loop");
   compare("reading CSV, against a bare fast_float loop", "read_csv/kinefile",
           "read_csv/bare_fast_float_loop");
-  compare("reading .seq, against libyaml's events and strtod", "read_seq/kinefile",
+  compare("reading .seq of 17 digits, against libyaml and strtod", "read_seq/kinefile",
           "read_seq/libyaml_strtod");
+  compare("reading .seq of 6 decimals, against libyaml and strtod", "read_rounded_seq/kinefile",
+          "read_rounded_seq/libyaml_strtod");
+  compare("reading BVH on two threads, against one", "read_on_two_threads", "read_on_one_thread");
 }
 
 void print_memory() {

@@ -8,6 +8,7 @@
 #include "motions.hpp"
 #include "printing.hpp"
 #include "report.hpp"
+#include "rows.hpp"
 #include "subject.hpp"
 
 namespace kinefile::bench {
@@ -18,6 +19,7 @@ int run(int argc, char** argv) {
   make_subject();
   print_memory();
   load_subject();
+  add_rows();
   add_files();
   add_printing();
   add_motions();

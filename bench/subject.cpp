@@ -74,6 +74,7 @@ void make_subject() {
   instance().amc_path = folder + "/walk.amc";
   instance().csv_path = folder + "/robot.csv";
   instance().seq_path = folder + "/robot.seq";
+  instance().rounded_seq_path = folder + "/rounded.seq";
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
   write_or_exit(instance().path, document, "bvh");
@@ -83,6 +84,10 @@ void make_subject() {
   Document robot;
   robot.content = make_robot_motion();
   write_or_exit(instance().seq_path, robot, "choreonoid");
+  for (Component& component : std::get<BodyMotion>(robot.content).components) {
+    for (double& value : component.values.mutate()) value = std::round(value * 1e6) / 1e6;
+  }
+  write_or_exit(instance().rounded_seq_path, robot, "choreonoid");
   WriteOptions options;
   const auto table = adapt(std::move(robot), *find_format("csv"), {}, options, diagnostics);
   write_or_exit(instance().csv_path, table.value(), "csv");

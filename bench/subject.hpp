@@ -13,9 +13,10 @@ struct Subject {
   std::string folder;
   std::string path;
   std::string amc_path;
-  std::string csv_path;
-  std::string seq_path;
-  Motion motion;  ///< of `path`; empty until `load_subject`
+  std::string csv_path;          ///< with six decimals
+  std::string seq_path;          ///< with 17 digits
+  std::string rounded_seq_path;  ///< with six decimals
+  Motion motion;                 ///< of `path`; empty until `load_subject`
 };
 
 const Subject& subject();

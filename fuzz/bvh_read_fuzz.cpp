@@ -1,13 +1,45 @@
 // SPDX-License-Identifier: MIT
 // Any bytes, read with any options: no crash, no hang, and either a valid document or an error
-// with a place.
+// with a place. What can be read by pieces gives the same as whole.
+
+#include <algorithm>
+#include <span>
+#include <string_view>
 
 #include "checks.hpp"
 #include "kinefile/bvh.hpp"
 
+namespace {
+
+using namespace kinefile;
+using namespace kinefile::fuzz;
+
+/// What is read by pieces is what is read whole, with the same messages.
+void check_pieces(std::string_view bytes, const ReadOptions& options, const Result<Document>& whole,
+                  const Diagnostics& of_whole) {
+  ByteSource source;
+  source.size = bytes.size();
+  source.read = [bytes](std::size_t offset, std::span<char> out) {
+    require(offset + out.size() <= bytes.size());
+    std::copy_n(bytes.data() + offset, out.size(), out.data());
+    return true;
+  };
+  Diagnostics diagnostics;
+  const auto pieces = find_format("bvh")->read_pieces(source, options, diagnostics);
+  if (!pieces) return;
+  require(pieces->has_value() && whole.has_value());
+  require(diagnostics.items().size() == of_whole.items().size());
+  for (std::size_t i = 0; i < diagnostics.items().size(); ++i) {
+    require(to_string(diagnostics.items()[i]) == to_string(of_whole.items()[i]));
+  }
+  const Motion& a = std::get<Motion>((*pieces)->content);
+  const Motion& b = std::get<Motion>(whole->content);
+  require(a.clip.num_frames == b.clip.num_frames && same_values(a.clip.values, b.clip.values));
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace kinefile;
-  using namespace kinefile::fuzz;
   if (size == 0) return 0;
   ReadOptions options;
   options.lenient = (data[0] & 1) != 0;
@@ -20,6 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const auto document = find_format("bvh")->read(bytes, options, diagnostics);
   check_reading(document, diagnostics);
+  check_pieces(bytes, options, document, diagnostics);
   if (document) check_document(*document);
   return 0;
 }

@@ -10,6 +10,14 @@
 
 namespace kinefile::simd {
 
+/// Whether rows with a template are read at all; the browser's build has no vectors for them, and
+/// no bytes for what would never run.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool kReadsTemplateRows = false;
+#else
+inline constexpr bool kReadsTemplateRows = true;
+#endif
+
 /// Whether a character ends a number in rows with a template.
 constexpr bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == '[' || c == ']';

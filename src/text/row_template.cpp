@@ -6,14 +6,6 @@
 #include "text/numbers.hpp"
 
 namespace kinefile::text {
-#ifdef __EMSCRIPTEN__
-
-// The browser's build has no vectors to read such rows with.
-std::optional<simd::RowTemplate> template_of_row(std::string_view, std::size_t) {
-  return std::nullopt;
-}
-
-#else
 namespace {
 
 bool is_number(std::string_view token) {
@@ -44,5 +36,4 @@ std::optional<simd::RowTemplate> template_of_row(std::string_view row, std::size
   return found;
 }
 
-#endif
 }  // namespace kinefile::text

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Rows of numbers in YAML, which are taken as a whole: they say what they say one by one.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "support/support.hpp"
 #include "support/yaml_events.hpp"
@@ -60,6 +64,57 @@ TEST(YamlRows, HaveShapes) {
   EXPECT_EQ(shapes("- [0.1, [1, 2], [3, 4], 5, 6]"), (Shapes{{1, -2, -2, 2}}));
   EXPECT_EQ(shapes("- []\n- [ [] ]\n- [ [], 1 ]"), (Shapes{{}, {kEmptyGroup}, {kEmptyGroup, 1}}));
   EXPECT_EQ(shapes("- [1,]\n- [[2,],]"), (Shapes{{1}, {-1}}));
+}
+
+/// Lines of rows, among which some are odd.
+std::string many_rows(std::mt19937& random, const std::string& row_of_three, bool with_odd_ones) {
+  static const std::vector<std::string> kOdd = {"- []",
+                                                "- [1]",
+                                                "- [ 1, 2 ]",
+                                                "- [ 1, 2, nan ]",
+                                                "- x",
+                                                "- [ 1, 2, 3 ] #",
+                                                "- [1,2,3]",
+                                                "- [ 1, 2,\n     3 ]",
+                                                "-\n  [ 1, 2, 3 ]",
+                                                "- [ 1, 2, \"3\" ]",
+                                                "-  [ 1, 2, 3 ]",
+                                                "- { a: 1 }",
+                                                "# [ 1, 2, 3 ]",
+                                                "- [ 1, 2, 3 ] ",
+                                                "- - [ 1, 2, 3 ]",
+                                                "",
+                                                "- [ 1, 2, -.5e3 ]",
+                                                "- [ 1, 2, 1_0 ]",
+                                                "- [ 1, 2, 0x1F ]",
+                                                "- &a [ 1, 2, 3 ]"};
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    const bool is_odd = with_odd_ones && random() % 40 == 0;
+    if (is_odd) {
+      text += kOdd[random() % kOdd.size()] + "\n";
+      continue;
+    }
+    std::string row = row_of_three;
+    for (std::size_t at = row.find('@'); at != std::string::npos; at = row.find('@')) {
+      const double value = (static_cast<double>(random()) - 2e9) * 1e-8;
+      row.replace(at, 1, fmt::format("{:.{}f}", value, random() % 18));
+    }
+    text += row + "\n";
+  }
+  return text;
+}
+
+TEST(YamlRows, ManyAtOnceAreTheSameAsOneByOne) {
+  std::mt19937 random(9);
+  for (const std::string row : {"- [ @, @, @ ]", "- [@,@,@]", "- [ [ @, @ ], [ @ ] ]",
+                                "- [ @, @, @ ]\r", "-   [ @, [ @, @ ] ]"}) {
+    for (int round = 0; round < 10; ++round) {
+      expect_same_events(many_rows(random, row, round > 0));
+      expect_same_events("a:\n" + many_rows(random, row, false) + "b:\n" +
+                         many_rows(random, row, false));
+    }
+  }
 }
 
 TEST(YamlRows, HaveTheNumbersBits) {

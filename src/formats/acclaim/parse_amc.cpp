@@ -8,6 +8,7 @@
 
 #include "base/words.hpp"
 #include "formats/acclaim/codes.hpp"
+#include "formats/acclaim/like_frames.hpp"
 #include "formats/acclaim/parser.hpp"
 #include "text/numbers.hpp"
 #include "text/scanner.hpp"
@@ -48,6 +49,10 @@ struct Body {
   std::vector<std::size_t> place_of_bone = {};  ///< in the order of the first frame
   std::int64_t number = 0;                      ///< of the current frame
   const char* number_at = nullptr;
+  const char* first_number_at = nullptr;  ///< of the first frame
+  std::optional<LikeFrames> like = {};    ///< found from the first frame
+  std::size_t num_frames_apart = 1;       ///< how often frames like it are looked for
+  std::size_t num_frames_left = 0;        ///< before they are looked for again
 
   const char* end() const { return parser.source.end(); }
   std::size_t frame() const { return out.num_frames; }
@@ -138,6 +143,7 @@ void start_frame(Body& body, std::int64_t number, const char* at) {
   if (body.frame() == 1) reserve_frames(body, begin, at);
   if (is_first) {
     body.out.first_frame_number = number;
+    body.first_number_at = at;
   } else if (number != body.number + 1) {
     body.parser.warn(code::kFrameNumbers,
                      fmt::format("expected frame number {}, found {}; frames are counted in the "
@@ -312,6 +318,45 @@ bool read_expected_line(Body& body) {
   return true;
 }
 
+/// Learns from the first frame, which has been read, what the others look like.
+void learn_frames(Body& body) {
+  if (body.out.bone_order.size() != body.bones.size()) return;
+  std::vector<std::size_t> columns;
+  for (const std::size_t b : body.out.bone_order) {
+    const BoneColumns& bone = body.bones[b];
+    for (std::size_t k = 0; k < bone.num_columns; ++k) columns.push_back(bone.first_column + k);
+  }
+  if (columns.size() != body.num_columns) return;
+  const auto size = static_cast<std::size_t>(body.number_at - body.first_number_at);
+  body.like = like_frames({body.first_number_at, size}, std::move(columns));
+}
+
+/// Reads frames that are like the first one, many at once, from the number of the current one on.
+/// The last of them is left, since more may belong to it.
+void read_many_frames(Body& body) {
+  constexpr std::size_t kMostFrames = 64;
+  if (!simd::kReadsTemplateRows) return;
+  if (body.frame() == 1 && !body.like) learn_frames(body);
+  if (!body.like) return;
+  if (body.num_frames_left > 0) {
+    --body.num_frames_left;
+    return;
+  }
+  body.close_rows();
+  const ReadFrames read =
+      read_like_frames(*body.like, body.number_at, body.end(), body.number, body.out.values);
+  const std::size_t num_frames = read.num_frames > 0 ? read.num_frames - 1 : 0;
+  body.out.num_frames += num_frames;
+  body.close_rows();
+  body.open_row();
+  body.num_frames_apart = num_frames == 0 ? std::min(2 * body.num_frames_apart, kMostFrames) : 1;
+  body.num_frames_left = body.num_frames_apart;
+  if (num_frames == 0) return;
+  body.is_in_frame = false;
+  body.number += static_cast<std::int64_t>(num_frames) - 1;
+  body.parser.lexer.move_to(read.last);
+}
+
 std::string_view value_of_hint(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t:");
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
@@ -436,6 +481,7 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
     const auto number = word[0] <= '9' ? frame_number(word) : std::nullopt;
     if (number && parser.lexer.peek_in_line().empty()) {
       start_frame(body, *number, word.data());
+      read_many_frames(body);
     } else {
       read_bone_line(body, word);
     }

@@ -70,7 +70,7 @@ bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& r
   // Where no rows follow that are like the first one, they are looked for the less often.
   std::size_t num_rows = 1, num_rows_left = 0;
   while (!fields.is_at_end()) {
-    if (rows.starts.empty() || num_rows_left > 0) {
+    if (!simd::kReadsTemplateRows || rows.starts.empty() || num_rows_left > 0) {
       if (!parse_row(reader, fields, rows)) return false;
       num_rows_left -= num_rows_left > 0 ? 1 : 0;
       continue;

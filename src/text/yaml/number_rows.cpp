@@ -2,8 +2,10 @@
 #include "text/yaml/number_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "text/numbers.hpp"
+#include "text/row_template.hpp"
 
 namespace kinefile::text::yaml {
 namespace {
@@ -37,6 +39,17 @@ bool is_alone(const char* p, const char* end, bool is_in_flow) {
   return p == end || is_line_end(*p) || (*p == '#' && p != behind);
 }
 
+/// The bracket of the row in the next line, if a line end, a hyphen and blanks are all that stands
+/// between.
+const char* next_row(const char* p, const char* end) {
+  p += p != end && *p == '\r';
+  if (p == end || *p != '\n') return nullptr;
+  const char* const hyphen = std::find_if_not(p + 1, end, is_blank);
+  if (hyphen == end || *hyphen != '-') return nullptr;
+  const char* const bracket = std::find_if_not(hyphen + 1, end, is_blank);
+  return bracket != end && *bracket == '[' ? bracket : nullptr;
+}
+
 /// The lines of a row after its first.
 struct MoreLines {
   std::size_t count = 0;
@@ -62,18 +75,62 @@ bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
     values_.clear();
     num_popped_ = 0;
   }
+  if (simd::kReadsTemplateRows && !is_in_flow && ahead_.has_row_at(cursor.position())) {
+    take_ahead(cursor, shape);
+    return true;
+  }
   const std::size_t num_before = values_.size();
-  const char* const end = read_groups(cursor.position(), cursor.end());
+  const char* const begin = cursor.position();
+  const char* const end = read_groups(begin, cursor.end());
   if (end != nullptr && is_alone(end, cursor.end(), is_in_flow)) {
     const MoreLines lines = has_break_ ? more_lines(cursor.position(), end) : MoreLines{};
     shape = index_of_shape();
     if (shape < kMostShapes && !lines.may_be_indented_by_tabs) {
       cursor.jump(end, lines.count, lines.last);
+      if (simd::kReadsTemplateRows && !is_in_flow && !has_break_)
+        look_ahead(begin, end, cursor.end(), shape);
       return true;
     }
   }
   values_.resize(num_before);
   return false;
+}
+
+/// Takes the next of the rows that were read ahead.
+void NumberRows::take_ahead(Cursor& cursor, std::size_t& shape) {
+  const double* const row = ahead_.values.data() + ahead_.num_taken * num_values_[ahead_.shape];
+  values_.insert(values_.end(), row, row + num_values_[ahead_.shape]);
+  ++ahead_.num_taken;
+  cursor.jump(ahead_.begins[ahead_.num_taken] - ahead_.tail, 0, nullptr);
+  shape = last_shape_ = ahead_.shape;
+}
+
+/// Reads the rows behind one, many at once, if they are like it.
+void NumberRows::look_ahead(const char* begin, const char* row_end, const char* end,
+                            std::size_t shape) {
+  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
+  constexpr std::size_t kMostRows = 64;
+  if (num_rows_left_ > 0) {
+    --num_rows_left_;
+    return;
+  }
+  num_rows_apart_ = std::min(2 * num_rows_apart_, kMostRows);  // unless there are rows
+  num_rows_left_ = num_rows_apart_;
+  const char* const next = next_row(row_end, end);
+  if (next == nullptr) return;
+  const auto row =
+      template_of_row({begin, static_cast<std::size_t>(next - begin)}, num_values_[shape]);
+  if (!row || row->num_columns() == 0) return;
+  const std::size_t most = kSomeNumbers / row->num_columns() + 1;
+  ahead_ = {std::move(*row), static_cast<std::size_t>(next - row_end), shape, {}, {}, 0};
+  ahead_.values.resize(most * num_values_[shape]);
+  ahead_.begins.resize(most + 1);
+  const simd::NumberRows read = simd::read_template_rows(
+      next, end, ahead_.row, most, ahead_.values.data(), ahead_.begins.data());
+  ahead_.begins.resize(read.num_rows + 1);
+  ahead_.begins.back() = read.next;
+  if (read.num_rows > 0) num_rows_apart_ = 1;
+  num_rows_left_ = read.num_rows > 0 ? 0 : num_rows_apart_;
 }
 
 std::span<const double> NumberRows::pop(std::size_t shape) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "simd/template_rows.hpp"
 #include "text/yaml/characters.hpp"
 
 namespace kinefile::text::yaml {
@@ -35,10 +36,30 @@ class NumberRows {
   std::size_t num_values(std::size_t index) const { return num_values_[index]; }
 
  private:
+  /// Rows that were read before they are taken: entries of a block sequence, a line each, that are
+  /// like the row before them but for their numbers.
+  struct Ahead {
+    simd::RowTemplate row;  ///< from a row's bracket to that of the next one
+    std::size_t tail = 0;   ///< bytes between a row and the next one
+    std::size_t shape = 0;
+    std::vector<double> values;
+    std::vector<const char*> begins;  ///< of the rows, and of what follows them
+    std::size_t num_taken = 0;
+
+    bool has_row_at(const char* p) const {
+      return num_taken + 1 < begins.size() && begins[num_taken] == p;
+    }
+  };
+
   const char* read_groups(const char* p, const char* end);
   std::size_t index_of_shape();
+  void look_ahead(const char* begin, const char* row_end, const char* end, std::size_t shape);
+  void take_ahead(Cursor& cursor, std::size_t& shape);
 
-  std::vector<double> values_;  ///< of rows that were read and not popped
+  Ahead ahead_;
+  std::size_t num_rows_apart_ = 1;  ///< how often rows ahead are looked for
+  std::size_t num_rows_left_ = 0;   ///< before they are looked for again
+  std::vector<double> values_;      ///< of rows that were read and not popped
   std::size_t num_popped_ = 0;
   std::vector<RowShape> shapes_;
   std::vector<std::size_t> num_values_;  ///< of a row of each shape

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "kinefile/array.hpp"
+#include "simd/template_rows.hpp"
+
+namespace kinefile::acclaim {
+
+/// Frames of an AMC file whose text is that of its first frame but for the numbers.
+struct LikeFrames {
+  simd::RowTemplate frame;
+  std::vector<std::size_t> columns;  ///< of each value, in the order of the file
+};
+
+/// \param first_frame  the text from its number up to the number of the next frame
+/// \param columns      of its values, in the order of the file
+/// \returns            empty if the text has other numbers beside these
+std::optional<LikeFrames> like_frames(std::string_view first_frame,
+                                      std::vector<std::size_t> columns);
+
+struct ReadFrames {
+  std::size_t num_frames = 0;
+  const char* last = nullptr;  ///< the number of the last frame that was read
+  const char* next = nullptr;  ///< of the first that was not
+};
+
+/// Reads frames that are like the first one and are numbered without a gap, as far as they go. The
+/// last ones before the end of the text may be left to another reader.
+/// \param begin   the number of a frame
+/// \param number  what this number has to be
+/// \param values  in: whole rows; out: with the frames that were read
+ReadFrames read_like_frames(const LikeFrames& like, const char* begin, const char* end,
+                            std::int64_t number, Array<double>& values);
+
+}  // namespace kinefile::acclaim

@@ -16,8 +16,8 @@
 namespace kinefile::bench {
 namespace {
 
-constexpr std::size_t kColumns = 96;
-constexpr std::size_t kRows = 2'000;
+constexpr std::size_t kRowLength = 96;
+constexpr std::size_t kNumRows = 2'000;
 
 /// How numbers are printed.
 enum Spelling { SixDecimals, Shortest, TwoDecimals, General, NineDigits, SeventeenDigits, Mixed };
@@ -56,16 +56,16 @@ const std::string& text_of(Spelling spelling) {
   std::string& text = texts[spelling];
   if (!text.empty()) return text;
   std::mt19937 random(1);
-  for (std::size_t i = 0; i < kRows * kColumns; ++i) {
+  for (std::size_t i = 0; i < kNumRows * kRowLength; ++i) {
     const double unit = (static_cast<double>(random()) / 2147483648.0) - 1;
     text += spelled(unit * std::pow(10.0, random() % 3), spelling, random);
-    text += i % kColumns == kColumns - 1 ? '\n' : ' ';
+    text += i % kRowLength == kRowLength - 1 ? '\n' : ' ';
   }
   return text;
 }
 
 std::vector<double>& numbers() {
-  static std::vector<double> made(kRows * kColumns);
+  static std::vector<double> made(kNumRows * kRowLength);
   return made;
 }
 
@@ -73,9 +73,9 @@ template <Spelling kSpelling>
 void rows_kinefile(benchmark::State& state) {
   const std::string& text = text_of(kSpelling);
   for (auto _ : state) {
-    const auto read = text::read_number_lines(text.data(), text.data() + text.size(), kColumns,
-                                              kRows, numbers().data());
-    if (read.num_rows != kRows) state.SkipWithError("not read");
+    const auto read = text::read_number_lines(text.data(), text.data() + text.size(), kRowLength,
+                                              kNumRows, numbers().data());
+    if (read.num_rows != kNumRows) state.SkipWithError("not read");
     benchmark::ClobberMemory();
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -42,6 +43,13 @@ BodyMotion make_robot_motion() {
     component.timeline.given = FrameRate{500};
     for (std::size_t i = 0; i < kSeqFrames * component.row_size(); ++i) {
       component.values.push_back(std::sin(0.37 * static_cast<double>(i)));
+    }
+    if (kind != ComponentKind::Poses) return;
+    // A unit quaternion, rounded or not.
+    const Rows rows = component.mutate();
+    for (std::size_t f = 0; f < component.num_frames; ++f) {
+      const double quaternion[4] = {0.6, 0, -0.8, 0};
+      std::copy_n(quaternion, 4, rows[f].begin() + 3);
     }
   };
   add(ComponentKind::Poses, kLinkPosition, 1);

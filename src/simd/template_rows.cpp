@@ -156,11 +156,12 @@ NumberRows read_templated(const char* begin, const char* end, const RowTemplate&
   const Index& numbers = index->numbers;
   NumberRows read{0, begin};
   // The first piece has room for a few rows, so that little is done in vain where one is soon odd.
-  std::size_t most_bytes = kWord + 4 * (8 * row.words().size() + 16 * num_columns);
+  std::size_t most_bytes =
+      std::min(kWord + 4 * (8 * row.words().size() + 16 * num_columns), kPiece);
   while (true) {
     const auto rest = static_cast<std::size_t>(end - read.next);
-    const std::size_t size = std::min({rest, most_bytes, kPiece}) / kWord * kWord;
-    most_bytes *= 4;
+    const std::size_t size = std::min(rest, most_bytes) / kWord * kWord;
+    most_bytes = std::min(4 * most_bytes, kPiece);
     index_ends(read.next, size, *index);
     find_rows(read.next, size, row, max_rows - read.num_rows, *index);
     const std::size_t num_tokens =

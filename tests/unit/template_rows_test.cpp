@@ -92,7 +92,7 @@ TEST(TemplateRows, ReadsEveryTextBetweenNumbers) {
   std::mt19937 random(3);
   for (const Gaps& gaps : all_gaps()) {
     Text made;
-    while (made.text.size() < 100'000) append_row(gaps, random, made);
+    while (made.text.size() < 1'500'000) append_row(gaps, random, made);
     const RowTemplate row = template_of(gaps);
     std::vector<double> values(made.values.size());
     std::vector<const char*> begins(made.begins.size());

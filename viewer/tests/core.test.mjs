@@ -170,6 +170,19 @@ test('a motion tells with which time of its source it begins', () =>
     assert.equal(startAfter('trim=10:30', 'reverse'), 0);
   }));
 
+/// The same text, whose numbers may differ in their last digits: the core has no vectors, and its
+/// kinematics another order of operations.
+function assertSameNumbers(actual, expected, name) {
+  const parts = (text) => text.split(/(-?\d+(?:\.\d*)?(?:e[-+]?\d+)?)/);
+  const [a, b] = [parts(actual), parts(expected)];
+  assert.equal(a.length, b.length, name);
+  for (let i = 0; i < a.length; ++i) {
+    const isNumber = i % 2 === 1;
+    if (!isNumber) assert.equal(a[i], b[i], name);
+    if (isNumber) assert.ok(Math.abs(a[i] - b[i]) <= 1e-12 * Math.max(1, Math.abs(b[i])), name);
+  }
+}
+
 test('a motion is written as the command writes it, and its source is given back', async (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'kinefile-'));
   t.after(() => rmSync(folder, {recursive: true}));
@@ -181,11 +194,10 @@ test('a motion is written as the command writes it, and its source is given back
     run('convert', path, join(folder, name), '--quiet');
     const {files} = core.ask('write', {handle, name});
     for (const file of files) {
-      assert.equal(
-        Buffer.from(file.bytes).toString(),
-        readFileSync(join(folder, file.name), 'utf8'),
-        file.name,
-      );
+      const expected = readFileSync(join(folder, file.name), 'utf8');
+      const hasPoses = file.name.endsWith('.seq');
+      const check = hasPoses ? assertSameNumbers : assert.equal;
+      check(Buffer.from(file.bytes).toString(), expected, file.name);
     }
   }
   const {files} = core.ask('source', {path: 'a.bvh'});

@@ -64,7 +64,7 @@ const std::string& large() {
 void expect_same(const std::string& text, ReadOptions options = {}) {
   options.source_name = "t.bvh";
   const ReadText whole = read_bvh(text, options);
-  for (const std::size_t count : {1, 7}) {
+  for (const std::size_t count : {1u, 7u}) {
     const Threads threads(count);
     Diagnostics diagnostics;
     auto pieces = find_format("bvh")->read_pieces(source_of(text), options, diagnostics);
@@ -86,7 +86,7 @@ void expect_same(const std::string& text, ReadOptions options = {}) {
 
 /// Checks that a file is left to who reads it whole, and that nothing is said of it.
 void expect_left(const std::string& text, const ReadOptions& options = {}) {
-  for (const std::size_t count : {1, 7}) {
+  for (const std::size_t count : {1u, 7u}) {
     const Threads threads(count);
     Diagnostics diagnostics;
     EXPECT_FALSE(find_format("bvh")->read_pieces(source_of(text), options, diagnostics));

@@ -207,7 +207,7 @@ TEST(ReadNumberRows, StopsAtWhatIsNoPlainRow) {
                           "\x7f",
                           "1\x80"}) {
     for (std::size_t at = 0; at < 6; ++at) {
-      for (const std::size_t before : {0, 1, 3, 200}) {
+      for (const std::size_t before : {0u, 1u, 3u, 200u}) {
         std::string text;
         for (std::size_t i = 0; i < before; ++i) text += "1.5 -2 3 4.25 5 6\n";
         const std::size_t line = text.size();

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <random>
 
@@ -26,7 +25,7 @@ ByteSource source_of(const std::string& bytes) {
   source.size = bytes.size();
   source.read = [&bytes](std::size_t offset, std::span<char> out) {
     if (offset + out.size() > bytes.size()) return false;
-    std::memcpy(out.data(), bytes.data() + offset, out.size());
+    std::copy_n(bytes.data() + offset, out.size(), out.data());
     return true;
   };
   return source;

@@ -29,15 +29,18 @@ bool has_changed(const struct stat& before, const struct stat& after) {
 }
 
 std::optional<FilePieces> FilePieces::open(const std::string& path, std::size_t least_size) {
+  const auto is_large = [least_size](const struct stat& state) {
+    return S_ISREG(state.st_mode) && static_cast<std::size_t>(state.st_size) >= least_size;
+  };
   FilePieces pieces;
   struct stat& opened = pieces.opened_;
-  // Without waiting for the other end of a pipe, which is no regular file.
+  // Only regular files are opened here: who writes to a pipe would lose what it writes when it is
+  // closed again.
+  if (::stat(path.c_str(), &opened) != 0 || !is_large(opened)) return std::nullopt;
   pieces.file_ = Descriptor(
       uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
-  if (!pieces.file_ || ::fstat(pieces.file_.number(), &opened) != 0) return std::nullopt;
-  const bool is_large =
-      S_ISREG(opened.st_mode) && static_cast<std::size_t>(opened.st_size) >= least_size;
-  if (!is_large) return std::nullopt;
+  const bool is_open = pieces.file_ && ::fstat(pieces.file_.number(), &opened) == 0;
+  if (!is_open || !is_large(opened)) return std::nullopt;
   return pieces;
 }
 

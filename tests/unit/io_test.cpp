@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "support/support.hpp"
 
@@ -41,6 +42,19 @@ TEST_F(Disk, ReadsBytes) {
   EXPECT_EQ(FileBytes::open(path("a"))->view(), "hello");
   put("empty", "");
   EXPECT_EQ(FileBytes::open(path("empty"))->view(), "");
+}
+
+TEST_F(Disk, ReadsANamedPipeThatIsOpenedOnce) {
+  const std::string pipe = path("a.bvh");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text = test::bvh_with_rows({"1 2 3 4 5 6 7 8 9"});
+  // If the reader opened and closed the pipe before, these bytes could be lost.
+  std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << text; });
+  Diagnostics diagnostics;
+  const auto document = read_file(pipe, nullptr, {}, diagnostics);
+  writer.join();
+  ASSERT_TRUE(document);
+  EXPECT_EQ(std::get<Motion>(document->content).clip.num_frames, 1u);
 }
 
 TEST_F(Disk, SaysWhyAFileCannotBeRead) {

@@ -17,75 +17,32 @@
 namespace kinefile::bench {
 namespace {
 
+/// Where a file of the subject is.
+using PathOf = std::string Subject::*;
+
+template <PathOf kPath>
 void read_kinefile(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path, "bvh"));
+  const std::string& path = subject().*kPath;
+  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(path));
 }
+
+/// \param kSum  adds up the numbers of a text
+template <PathOf kPath, double (*kSum)(std::string_view)>
+void read_baseline(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto bytes = FileBytes::open(subject().*kPath);
+    benchmark::DoNotOptimize(kSum(bytes->view()));
+  }
+}
+
+double sum_of_bvh(std::string_view text) { return sum_with_fast_float(numbers_of_bvh(text)); }
 
 /// By the clock, with a number of threads.
 template <std::size_t kThreads>
 void read_on_threads(benchmark::State& state) {
   set_max_threads(kThreads);
-  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path, "bvh"));
+  for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path));
   set_max_threads(1);
-}
-
-void read_bare_loop(benchmark::State& state) {
-  for (auto _ : state) {
-    const auto bytes = FileBytes::open(subject().path);
-    benchmark::DoNotOptimize(sum_with_fast_float(numbers_of_bvh(bytes->view())));
-  }
-}
-
-void read_amc_kinefile(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(read_or_exit(subject().amc_path, "amc"));
-  }
-}
-
-void read_amc_bare_loop(benchmark::State& state) {
-  for (auto _ : state) {
-    const auto bytes = FileBytes::open(subject().amc_path);
-    benchmark::DoNotOptimize(sum_words_with_fast_float(bytes->view()));
-  }
-}
-
-void read_csv_kinefile(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(read_or_exit(subject().csv_path, "csv"));
-  }
-}
-
-void read_csv_bare_loop(benchmark::State& state) {
-  for (auto _ : state) {
-    const auto bytes = FileBytes::open(subject().csv_path);
-    benchmark::DoNotOptimize(sum_with_commas(bytes->view()));
-  }
-}
-
-void read_seq_kinefile(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(read_or_exit(subject().seq_path, "choreonoid"));
-  }
-}
-
-void read_rounded_seq_kinefile(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(read_or_exit(subject().rounded_seq_path, "choreonoid"));
-  }
-}
-
-void read_rounded_seq_libyaml(benchmark::State& state) {
-  for (auto _ : state) {
-    const auto bytes = FileBytes::open(subject().rounded_seq_path);
-    benchmark::DoNotOptimize(sum_with_libyaml(bytes->view()));
-  }
-}
-
-void read_seq_libyaml(benchmark::State& state) {
-  for (auto _ : state) {
-    const auto bytes = FileBytes::open(subject().seq_path);
-    benchmark::DoNotOptimize(sum_with_libyaml(bytes->view()));
-  }
 }
 
 void read_ifstream(benchmark::State& state) {
@@ -123,29 +80,31 @@ double peak_memory_ratio(const std::string& path, const Work& work) {
 }
 
 bool reads_and_places() {
-  const Document document = read_or_exit(subject().path, "bvh");
+  const Document document = read_or_exit(subject().path);
   const Motion& motion = std::get<Motion>(document.content);
   return world_extent(motion.skeleton, motion.clip).min.allFinite();
 }
 
 bool reads_seq() {
-  return std::holds_alternative<BodyMotion>(read_or_exit(subject().seq_path, "choreonoid").content);
+  return std::holds_alternative<BodyMotion>(read_or_exit(subject().seq_path).content);
 }
 
 }  // namespace
 
 void add_files() {
-  measure("read/kinefile", read_kinefile);
-  measure("read/bare_fast_float_loop", read_bare_loop);
+  measure("read/kinefile", read_kinefile<&Subject::path>);
+  measure("read/bare_fast_float_loop", read_baseline<&Subject::path, sum_of_bvh>);
   measure("read/ifstream", read_ifstream);
-  measure("read_amc/kinefile", read_amc_kinefile);
-  measure("read_amc/bare_fast_float_loop", read_amc_bare_loop);
-  measure("read_csv/kinefile", read_csv_kinefile);
-  measure("read_csv/bare_fast_float_loop", read_csv_bare_loop);
-  measure("read_seq/kinefile", read_seq_kinefile);
-  measure("read_seq/libyaml_strtod", read_seq_libyaml);
-  measure("read_rounded_seq/kinefile", read_rounded_seq_kinefile);
-  measure("read_rounded_seq/libyaml_strtod", read_rounded_seq_libyaml);
+  measure("read_amc/kinefile", read_kinefile<&Subject::amc_path>);
+  measure("read_amc/bare_fast_float_loop",
+          read_baseline<&Subject::amc_path, sum_words_with_fast_float>);
+  measure("read_csv/kinefile", read_kinefile<&Subject::csv_path>);
+  measure("read_csv/bare_fast_float_loop", read_baseline<&Subject::csv_path, sum_with_commas>);
+  measure("read_seq/kinefile", read_kinefile<&Subject::seq_path>);
+  measure("read_seq/libyaml_strtod", read_baseline<&Subject::seq_path, sum_with_libyaml>);
+  measure("read_rounded_seq/kinefile", read_kinefile<&Subject::rounded_seq_path>);
+  measure("read_rounded_seq/libyaml_strtod",
+          read_baseline<&Subject::rounded_seq_path, sum_with_libyaml>);
   measure("read_on_one_thread", read_on_threads<1>, Time::Clock);
   measure("read_on_two_threads", read_on_threads<2>, Time::Clock);
   measure("write/kinefile", write_kinefile);

@@ -61,9 +61,9 @@ BodyMotion make_robot_motion() {
 
 const Subject& subject() { return instance(); }
 
-Document read_or_exit(const std::string& path, const char* format) {
+Document read_or_exit(const std::string& path) {
   Diagnostics diagnostics;
-  auto document = read_file(path, find_format(format), {}, diagnostics);
+  auto document = read_file(path, nullptr, {}, diagnostics);
   if (!document) {
     fmt::print(stderr, "{}\n", to_string(document.error()));
     std::exit(1);
@@ -101,9 +101,7 @@ void make_subject() {
   write_or_exit(instance().csv_path, table.value(), "csv");
 }
 
-void load_subject() {
-  instance().motion = std::get<Motion>(read_or_exit(subject().path, "bvh").content);
-}
+void load_subject() { instance().motion = std::get<Motion>(read_or_exit(subject().path).content); }
 
 void remove_subject() { std::filesystem::remove_all(subject().folder); }
 

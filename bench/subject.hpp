@@ -27,6 +27,6 @@ void load_subject();
 void remove_subject();
 
 /// Reads a file, or ends the program.
-Document read_or_exit(const std::string& path, const char* format);
+Document read_or_exit(const std::string& path);
 
 }  // namespace kinefile::bench

@@ -8,6 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 
+/// Whether the instruction set that is compiled has mask registers. Readers of rows then call their
+/// AVX2 code: their blocks have 32 bytes at the most, and masks in vectors are faster for them than
+/// the mask registers of AVX-512 (measured: by a tenth).
+#define KINEFILE_HAS_WIDE_MASKS (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
+
 namespace kinefile::simd {
 
 inline constexpr std::size_t kWord = 64;          ///< bytes that a mask stands for

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rows of numbers are read in pieces of some thousand bytes, each in two passes, so that no branch
 // depends on what a single byte is:
-// 1. Where tokens and lines end: 64 bytes at a time become a mask of separators, of which a table
-// of
-//    token ends is made (Langdale and Lemire, "Parsing Gigabytes of JSON per Second", 2019).
+// 1. Where tokens and lines end: 64 bytes at a time become a mask of separators, and masks a table
+//    of token ends (Langdale and Lemire, "Parsing Gigabytes of JSON per Second", 2019).
 // 2. Tokens become doubles, several at a time (number_tokens-inl.hpp). What is not plain is left to
 //    fast_float, token by token, so that one odd token does not slow its neighbours.
 // A byte that is no separator never separates.
@@ -32,7 +31,6 @@
 #include "simd/number_index.hpp"
 #include "simd/number_tables.hpp"
 
-#define KINEFILE_HAS_WIDE_MASKS (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && !KINEFILE_HAS_WIDE_MASKS
 #include "simd/number_index-inl.hpp"
 #endif
@@ -49,8 +47,6 @@ namespace kinefile::simd {
 namespace HWY_NAMESPACE {
 #if KINEFILE_HAS_WIDE_MASKS
 
-// The blocks have 32 bytes at the most, and masks in vectors are faster for them than the mask
-// registers of AVX-512 (measured: by a tenth).
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
                     std::size_t max_rows, double* out) {
   return N_AVX2::read_all(begin, end, num_columns, max_rows, out);
@@ -175,7 +171,6 @@ NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
 }
 
 #endif  // HWY_TARGET
-#undef KINEFILE_HAS_WIDE_MASKS
 
 }  // namespace HWY_NAMESPACE
 }  // namespace kinefile::simd

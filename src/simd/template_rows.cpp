@@ -24,7 +24,6 @@
 #include "simd/number_index.hpp"
 #include "simd/number_tables.hpp"
 
-#define KINEFILE_HAS_WIDE_MASKS (HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL)
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && !KINEFILE_HAS_WIDE_MASKS
 #include "simd/number_index-inl.hpp"
 #endif
@@ -41,7 +40,6 @@ namespace kinefile::simd {
 namespace HWY_NAMESPACE {
 #if KINEFILE_HAS_WIDE_MASKS
 
-// As in number_rows.cpp.
 NumberRows read_templated(const char* begin, const char* end, const RowTemplate& row,
                           std::size_t max_rows, double* out, const char** rows) {
   return N_AVX2::read_templated(begin, end, row, max_rows, out, rows);
@@ -178,7 +176,6 @@ NumberRows read_templated(const char* begin, const char* end, const RowTemplate&
 }
 
 #endif  // HWY_TARGET
-#undef KINEFILE_HAS_WIDE_MASKS
 
 }  // namespace HWY_NAMESPACE
 }  // namespace kinefile::simd

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "text/number_lines.hpp"
 
-#include <algorithm>
-
 #include "simd/number_rows.hpp"
+#include "text/attempts.hpp"
 #include "text/numbers.hpp"
 
 namespace kinefile::text {
 
 NumberLines read_number_lines(const char* begin, const char* end, std::size_t num_columns,
                               std::size_t max_rows, double* out) {
-  constexpr std::size_t kMostLines = 64;
   NumberLines lines{0, begin};
-  // Where the vector reader finds nothing, it is asked the less often, so that no byte is looked at
-  // many times.
-  std::size_t num_lines = 1, num_lines_left = 0;
+  Attempts attempts;
   while (lines.next != end && lines.num_rows < max_rows) {
     double* const row = out + lines.num_rows * num_columns;
-    if (num_lines_left-- == 0) {
+    if (attempts.is_due()) {
       const simd::NumberRows read =
           simd::read_number_rows(lines.next, end, num_columns, max_rows - lines.num_rows, row);
-      num_lines = read.num_rows == 0 ? std::min(2 * num_lines, kMostLines) : 1;
-      num_lines_left = num_lines;
+      attempts.made(read.num_rows > 0);
       lines.num_rows += read.num_rows;
       lines.next = read.next;
       continue;

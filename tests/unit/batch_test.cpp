@@ -8,24 +8,18 @@
 #include <vector>
 
 #include "kinefile/process.hpp"
-#include "kinefile/threads.hpp"
 #include "support/support.hpp"
+#include "support/threads.hpp"
 #include "walk.hpp"
 
 namespace kinefile {
 namespace {
 
-/// Chooses a number of threads for a test.
-struct BatchThreads {
-  explicit BatchThreads(std::size_t count) { set_max_threads(count); }
-  ~BatchThreads() { set_max_threads(0); }
-};
-
-constexpr std::size_t kThreadCounts[] = {1, 2, 7};
+using test::kThreadCounts;
 
 TEST(Batch, ResultsAreUsedInTheOrderOfTheInputs) {
   for (const std::size_t count : kThreadCounts) {
-    const BatchThreads threads(count);
+    const test::Threads threads(count);
     std::vector<std::size_t> used;
     const bool is_whole = for_each_input<std::string>(
         {.num_inputs = 300}, [](std::size_t i) { return std::to_string(i); },
@@ -41,7 +35,7 @@ TEST(Batch, ResultsAreUsedInTheOrderOfTheInputs) {
 }
 
 TEST(Batch, FewResultsExistAtATime) {
-  const BatchThreads threads(7);
+  const test::Threads threads(7);
   std::atomic<std::size_t> num_held{0};
   std::atomic<std::size_t> most{0};
   for_each_input<int>(
@@ -63,7 +57,7 @@ TEST(Batch, FewResultsExistAtATime) {
 
 TEST(Batch, AnInputThatIsAloneHasNoOtherBesideIt) {
   for (const std::size_t count : kThreadCounts) {
-    const BatchThreads threads(count);
+    const test::Threads threads(count);
     std::atomic<int> num_at_work{0};
     std::vector<std::size_t> used;
     const auto is_alone = [](std::size_t i) { return i % 10 == 3 || i == 4 || i == 49; };
@@ -88,7 +82,7 @@ TEST(Batch, AnInputThatIsAloneHasNoOtherBesideIt) {
 
 TEST(Batch, StopsWhereTheUserOfResultsSaysSo) {
   for (const std::size_t count : kThreadCounts) {
-    const BatchThreads threads(count);
+    const test::Threads threads(count);
     std::size_t num_used = 0;
     std::atomic<std::size_t> num_made{0};
     const bool is_whole = for_each_input<int>(
@@ -127,7 +121,7 @@ std::vector<MemoryFile> written_by_job(std::size_t i) {
 
 TEST(Batch, JobsOnSevenThreadsWriteTheSameBytesAsOnOne) {
   const auto bytes_on = [](std::size_t num_threads) {
-    const BatchThreads threads(num_threads);
+    const test::Threads threads(num_threads);
     std::string all;
     for_each_input<std::vector<MemoryFile>>({.num_inputs = 30}, written_by_job,
                                             [&all](std::size_t, std::vector<MemoryFile>&& files) {

@@ -8,22 +8,18 @@
 #include <vector>
 
 #include "kinefile/threads.hpp"
+#include "support/threads.hpp"
 
 namespace kinefile {
 namespace {
 
-/// Chooses a number of threads for a test.
-struct Threads {
-  explicit Threads(std::size_t count) { set_max_threads(count); }
-  ~Threads() { set_max_threads(0); }
-};
-
-constexpr std::size_t kCounts[] = {1, 2, 7};
+using test::kThreadCounts;
+using test::Threads;
 
 TEST(Parallel, ThereIsAThread) { EXPECT_GE(max_threads(), 1u); }
 
 TEST(Parallel, EveryIndexIsWorkedOnOnce) {
-  for (const std::size_t count : kCounts) {
+  for (const std::size_t count : kThreadCounts) {
     const Threads threads(count);
     std::vector<std::atomic<int>> calls(1000);
     for_each_index(calls.size(), [&](std::size_t i) { ++calls[i]; });
@@ -42,7 +38,7 @@ TEST(Parallel, WorkWithinWorkIsDoneThere) {
 }
 
 TEST(Parallel, AnExceptionReachesTheCaller) {
-  for (const std::size_t count : kCounts) {
+  for (const std::size_t count : kThreadCounts) {
     const Threads threads(count);
     const auto throws = [](std::size_t i) {
       if (i == 3) throw std::runtime_error("three");
@@ -63,7 +59,7 @@ TEST(Parallel, AnExceptionReachesTheCaller) {
 
 TEST(Parallel, PartsAreUsedInOrderAndFewExist) {
   constexpr std::size_t kSlots = 3;
-  for (const std::size_t count : kCounts) {
+  for (const std::size_t count : kThreadCounts) {
     const Threads threads(count);
     std::vector<std::size_t> slots(kSlots);
     std::vector<std::size_t> used;
@@ -85,7 +81,7 @@ TEST(Parallel, PartsAreUsedInOrderAndFewExist) {
 }
 
 TEST(Parallel, UseCanStop) {
-  for (const std::size_t count : kCounts) {
+  for (const std::size_t count : kThreadCounts) {
     const Threads threads(count);
     std::size_t num_used = 0;
     const auto make = [](std::size_t, std::size_t) {};

@@ -74,8 +74,8 @@ bool read_rows(const ByteSource& bytes, std::size_t offset, File& file) {
     num_bytes += piece_bytes;
     if (file.num_frames == 0 && !rows.empty()) {
       // As many rows as if all were as long as the first ones.
-      const std::size_t per_byte = (bytes.size - offset) / num_bytes + 1;
-      file.values.reserve(rows.size() * per_byte + rows.size());
+      const std::size_t num_pieces = (bytes.size - offset) / num_bytes + 1;
+      file.values.reserve(rows.size() * (num_pieces + 1));
     }
     file.values.append(rows);
     file.num_frames += rows.size() / file.num_columns;

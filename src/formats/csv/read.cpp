@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "formats/csv/columns.hpp"
@@ -11,6 +10,7 @@
 #include "formats/files.hpp"
 #include "formats/quaternion_faults.hpp"
 #include "formats/table_rows.hpp"
+#include "text/attempts.hpp"
 #include "text/csv_fields.hpp"
 #include "text/decode.hpp"
 #include "text/numbers.hpp"
@@ -65,14 +65,11 @@ bool parse_row(const TableReader& reader, text::CsvFields& fields, TableRows& ro
 
 /// Reads the rows; false after an error.
 bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
-  constexpr std::size_t kMostRows = 64;
   std::optional<simd::RowTemplate> plain;
-  // Where no rows follow that are like the first one, they are looked for the less often.
-  std::size_t num_rows = 1, num_rows_left = 0;
+  text::Attempts attempts;
   while (!fields.is_at_end()) {
-    if (!simd::kReadsTemplateRows || rows.starts.empty() || num_rows_left > 0) {
+    if (!simd::kReadsTemplateRows || rows.starts.empty() || !attempts.is_due()) {
       if (!parse_row(reader, fields, rows)) return false;
-      num_rows_left -= num_rows_left > 0 ? 1 : 0;
       continue;
     }
     const char* const begin = fields.position();
@@ -83,8 +80,7 @@ bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& r
               .value_or(simd::RowTemplate());
     }
     fields.move_to(append_like_rows(begin, reader.source.end(), *plain, rows));
-    num_rows = fields.position() == begin ? std::min(2 * num_rows, kMostRows) : 1;
-    num_rows_left = num_rows;
+    attempts.made(fields.position() != begin);
   }
   return true;
 }

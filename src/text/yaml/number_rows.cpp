@@ -108,19 +108,18 @@ void NumberRows::take_ahead(Cursor& cursor, std::size_t& shape) {
 /// Reads the rows behind one, many at once, if they are like it.
 void NumberRows::look_ahead(const char* begin, const char* row_end, const char* end,
                             std::size_t shape) {
+  if (!attempts_.is_due()) return;
+  attempts_.made(find_rows_ahead(begin, row_end, end, shape));
+}
+
+bool NumberRows::find_rows_ahead(const char* begin, const char* row_end, const char* end,
+                                 std::size_t shape) {
   constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
-  constexpr std::size_t kMostRows = 64;
-  if (num_rows_left_ > 0) {
-    --num_rows_left_;
-    return;
-  }
-  num_rows_apart_ = std::min(2 * num_rows_apart_, kMostRows);  // unless there are rows
-  num_rows_left_ = num_rows_apart_;
   const char* const next = next_row(row_end, end);
-  if (next == nullptr) return;
+  if (next == nullptr) return false;
   const auto row =
       template_of_row({begin, static_cast<std::size_t>(next - begin)}, num_values_[shape]);
-  if (!row || row->num_columns() == 0) return;
+  if (!row || row->num_columns() == 0) return false;
   const std::size_t most = kSomeNumbers / row->num_columns() + 1;
   ahead_ = {std::move(*row), static_cast<std::size_t>(next - row_end), shape, {}, {}, 0};
   ahead_.values.resize(most * num_values_[shape]);
@@ -129,8 +128,7 @@ void NumberRows::look_ahead(const char* begin, const char* row_end, const char* 
       next, end, ahead_.row, most, ahead_.values.data(), ahead_.begins.data());
   ahead_.begins.resize(read.num_rows + 1);
   ahead_.begins.back() = read.next;
-  if (read.num_rows > 0) num_rows_apart_ = 1;
-  num_rows_left_ = read.num_rows > 0 ? 0 : num_rows_apart_;
+  return read.num_rows > 0;
 }
 
 std::span<const double> NumberRows::pop(std::size_t shape) {

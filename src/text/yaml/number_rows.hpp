@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simd/template_rows.hpp"
+#include "text/attempts.hpp"
 #include "text/yaml/characters.hpp"
 
 namespace kinefile::text::yaml {
@@ -54,12 +55,12 @@ class NumberRows {
   const char* read_groups(const char* p, const char* end);
   std::size_t index_of_shape();
   void look_ahead(const char* begin, const char* row_end, const char* end, std::size_t shape);
+  bool find_rows_ahead(const char* begin, const char* row_end, const char* end, std::size_t shape);
   void take_ahead(Cursor& cursor, std::size_t& shape);
 
   Ahead ahead_;
-  std::size_t num_rows_apart_ = 1;  ///< how often rows ahead are looked for
-  std::size_t num_rows_left_ = 0;   ///< before they are looked for again
-  std::vector<double> values_;      ///< of rows that were read and not popped
+  Attempts attempts_;           ///< to find rows ahead
+  std::vector<double> values_;  ///< of rows that were read and not popped
   std::size_t num_popped_ = 0;
   std::vector<RowShape> shapes_;
   std::vector<std::size_t> num_values_;  ///< of a row of each shape

@@ -8,17 +8,12 @@
 #include <random>
 
 #include "kinefile/bvh.hpp"
-#include "kinefile/threads.hpp"
 #include "support/motion_checks.hpp"
 #include "support/support.hpp"
+#include "support/threads.hpp"
 
 namespace kinefile::test {
 namespace {
-
-struct Threads {
-  explicit Threads(std::size_t count) { set_max_threads(count); }
-  ~Threads() { set_max_threads(0); }
-};
 
 ByteSource source_of(const std::string& bytes) {
   ByteSource source;

@@ -48,7 +48,7 @@ struct Body {
   std::vector<std::size_t> place_of_bone = {};  ///< in the order of the first frame
   std::int64_t number = 0;                      ///< of the current frame
   const char* number_at = nullptr;
-  const char* first_number_at = nullptr;  ///< of the first frame
+  const char* first_number_at = nullptr;  ///< of the first frame, null if it has none
   std::optional<LikeFrames> like = {};    ///< found from the first frame
   text::Attempts attempts = {};           ///< to read frames like it
 
@@ -318,6 +318,7 @@ bool read_expected_line(Body& body) {
 
 /// Learns from the first frame, which has been read, what the others look like.
 void learn_frames(Body& body) {
+  if (body.first_number_at == nullptr) return;
   if (body.out.bone_order.size() != body.bones.size()) return;
   std::vector<std::size_t> columns;
   for (const std::size_t b : body.out.bone_order) {

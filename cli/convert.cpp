@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "command.hpp"
+#include "long_motions.hpp"
 #include "many.hpp"
 #include "options.hpp"
 #include "writing.hpp"
@@ -49,6 +50,10 @@ int run(Convert& convert, const Globals& globals) {
   const Format* format = expected_format(convert);
   if (format == nullptr) return no_output_format(convert.writing, globals);
   settle_encoding(*format, convert.reading);
+  if (const auto done =
+          write_long(convert.in, *format, convert.writing, convert.reading, {}, globals)) {
+    return *done;
+  }
   int exit_code = kDone;
   auto document = load(convert.in, convert.reading, globals, exit_code);
   if (!document) return exit_code;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "long_motions.hpp"
 #include "many.hpp"
 #include "options.hpp"
 #include "report.hpp"
@@ -46,14 +47,20 @@ FkOptions options_of(const Fk& fk) {
   return options;
 }
 
-int write_file(const Fk& fk, const Globals& globals, const FkTable& table, const Format& format) {
+/// \param write  writes the table; a fault of the file is reported when it is committed
+int write_file(const Fk& fk, const Globals& globals,
+               const std::function<Result<void>(const Sink& sink)>& write) {
   auto file = OutputFile::create(fk.out, output_options(fk.may_replace));
   if (!file) {
     print_error(file.error(), globals);
     return exit_code_of(file.error());
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  write_table(table, format, sink);
+  const auto written = write(sink);
+  if (!written && written.error().code != "IO003") {
+    print_error(written.error(), globals);
+    return exit_code_of(written.error());
+  }
   const auto committed = file->commit();
   if (committed) return kDone;
   print_error(committed.error(), globals);
@@ -132,6 +139,24 @@ int run_on_many(const Fk& fk, const Globals& globals) {
   return run_many(fk.many, work, globals);
 }
 
+/// Places a motion that is too large for memory; empty if it is not.
+std::optional<int> run_on_long(const Fk& fk, const Format& format, const Globals& globals) {
+  if (fk.is_comparing || fk.is_rest || !format.poses_in_blocks) return std::nullopt;
+  Diagnostics diagnostics;
+  const auto motion = open_long(fk.file, fk.reading, kMostBytesInMemory, diagnostics);
+  if (!motion) return std::nullopt;
+  print_diagnostics(STDERR_FILENO, diagnostics, globals);
+  if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
+  const auto table = kinefile::fk(*motion, options_of(fk));
+  if (table) {
+    return write_file(fk, globals, [&](const Sink& sink) {
+      return write_table(*table, motion->frames, format, sink);
+    });
+  }
+  print_error(table.error(), globals);
+  return exit_code_of(table.error());
+}
+
 int run(const Fk& fk, const Globals& globals) {
   if (globals.takes_many) return run_on_many(fk, globals);
   const Format* format = output_format(fk);
@@ -140,6 +165,7 @@ int run(const Fk& fk, const Globals& globals) {
                                             "name it .csv or .json, or say --to",
                                             fk.out));
   }
+  if (const auto done = run_on_long(fk, *format, globals)) return *done;
   int exit_code = kDone;
   const auto document = load(fk.file, fk.reading, globals, exit_code);
   if (!document) return exit_code;
@@ -153,7 +179,12 @@ int run(const Fk& fk, const Globals& globals) {
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
   const auto table = kinefile::fk(std::move(*placed), options_of(fk));
-  if (table) return write_file(fk, globals, *table, *format);
+  if (table) {
+    return write_file(fk, globals, [&](const Sink& sink) -> Result<void> {
+      write_table(*table, *format, sink);
+      return {};
+    });
+  }
   print_error(table.error(), globals);
   return exit_code_of(table.error());
 }

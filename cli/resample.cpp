@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <optional>
+#include <utility>
 
+#include "long_motions.hpp"
 #include "report.hpp"
 #include "retiming.hpp"
 
@@ -21,8 +24,23 @@ int run_on_many(const Resample& resample, const Globals& globals) {
   return retime_many(resample.retiming, retime, globals);
 }
 
+/// Resamples a motion that is too large for memory; empty if it is not.
+std::optional<int> run_on_long(const Resample& resample, const Globals& globals) {
+  const Retiming& retiming = resample.retiming;
+  const Writing& writing = retiming.writing;
+  const Format* format = output_format(writing);
+  if (format == nullptr) format = format_of_name(resample.file);
+  if (format == nullptr) return std::nullopt;
+  const auto change = [&resample](LongMotion motion, Diagnostics& diagnostics) {
+    return retime::resample(std::move(motion), resample.frame_rate, options_of(resample.retiming),
+                            diagnostics);
+  };
+  return write_long(resample.file, *format, writing, retiming.reading, change, globals);
+}
+
 int run(const Resample& resample, const Globals& globals) {
   if (globals.takes_many) return run_on_many(resample, globals);
+  if (const auto done = run_on_long(resample, globals)) return *done;
   int exit_code = kDone;
   auto document = load_motion(resample.file, resample.retiming.reading, globals, exit_code);
   if (!document) return exit_code;

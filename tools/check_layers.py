@@ -41,7 +41,7 @@ LAYERS = {
 PUBLIC = {
     "array": "base", "kept": "base", "option": "base", "threads": "base",
      "diagnostics": "base", "result": "base", "version": "base", "math": "math",
-    "skeleton": "model", "visual_shape": "model", "timeline": "model", "clip": "model", "motion": "model",
+    "frame_source": "model", "skeleton": "model", "visual_shape": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "bvh": "model", "choreonoid": "model", "csv": "model",
     "robovie": "model",
     "pose_table": "model", "joint_map": "model", "pose_flow": "model", "robot_project": "model",

@@ -46,6 +46,10 @@ struct FkTable {
 ///         have, a name that no joint has, and metres if the file does not specify its unit
 Result<FkTable> fk(Placed placed, const FkOptions& options);
 
+/// As above, for a motion whose frames are read when they are asked for: the table has none of
+/// them.
+Result<FkTable> fk(const LongMotion& motion, const FkOptions& options);
+
 /// The poses of all joints over some frames of a table's clip: in the world, or in the frame of
 /// each joint's parent (`FkOptions::local`). Lengths are in the file's unit.
 PoseArrays poses_of(const FkTable& table, const FrameRange& frames);
@@ -53,6 +57,12 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames);
 /// Writes a table, a block of frames at a time where the format can. Returns false if the sink
 /// returned false. Precondition: the format has `write_poses`.
 bool write_table(const FkTable& table, const Format& format, const Sink& sink);
+
+/// Writes a table of a motion whose frames are read when they are asked for, block by block.
+/// Precondition: the format has `write_poses`, and `poses_in_blocks`.
+/// \errors those of `FrameSource::rows`; IO003 if the sink returned false
+Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
+                         const Sink& sink);
 
 /// Computes how far kinematics and the recorded poses of links differ, one entry per link.
 /// \errors DOC001 (Usage) if the document is not a body motion; CNV002 (Usage) if there is no

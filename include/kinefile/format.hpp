@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/frame_source.hpp"
 #include "kinefile/option.hpp"
 #include "kinefile/result.hpp"
 
@@ -168,8 +169,21 @@ struct Format {
   std::optional<Result<Document>> (*read_pieces)(const ByteSource&, const ReadOptions&,
                                                  Diagnostics&) = nullptr;
 
+  /// Opens a motion whose frames are read when they are asked for, with the same values and
+  /// diagnostics as `read`, if the file is as plain as for `read_pieces`. Reads the whole file
+  /// once. Empty for any other file, and for one whose values probably need no more memory than
+  /// `most_bytes_in_memory`. Null: the format needs all frames at once.
+  /// \param bytes  copies are kept as long as the frames
+  std::optional<LongMotion> (*open_frames)(const ByteSource& bytes, double most_bytes_in_memory,
+                                           const ReadOptions&, Diagnostics&) = nullptr;
+
   /// Writes a document; null if the format is read-only or a set of files.
   Result<void> (*write)(const Document&, const WriteOptions&, const Sink&, Diagnostics&) = nullptr;
+
+  /// Writes a motion block by block, as `write` writes it whole. Null: the format needs all frames
+  /// at once.
+  Result<void> (*write_frames)(const LongMotion&, const WriteOptions&, const Sink&,
+                               Diagnostics&) = nullptr;
 
   /// For a format that is a set of files with one stem and different extensions: writes those for
   /// which a document has content, one after the other; null for all other formats.

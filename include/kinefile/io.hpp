@@ -61,6 +61,14 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
 Result<Document> read_file(const std::string& name, const Format* format, ReadOptions options,
                            Diagnostics& diagnostics);
 
+/// Opens the motion of a file that is too large to be kept in memory, with the same frames and
+/// diagnostics as `read_file`. It stays open as long as the frames.
+/// \returns  empty if the file needs to be read whole: it is smaller than that, no regular file, of
+///           a format without `open_frames`, or not plain, or reading it whole gives an error
+std::optional<LongMotion> open_long_motion(const std::string& path, const Format* format,
+                                           double most_bytes_in_memory, ReadOptions options,
+                                           Diagnostics& diagnostics);
+
 /// Reads a robot's project and the files that it names, which are in its folder or below.
 /// \param options  encoding, leniency and who records files; the source name and the companions are
 ///                 set here
@@ -170,6 +178,13 @@ Result<void> write(const std::string& name, const Document& document, const Form
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, const OutputOptions& output,
                         Diagnostics& diagnostics);
+
+/// Writes a motion to a file, block by block, completely or not at all. Precondition: the format
+/// has `write_frames`. \errors those of OutputFile, of the motion's frames and of the format's
+/// writer
+Result<void> write_long_file(const std::string& path, const LongMotion& motion,
+                             const Format& format, const WriteOptions& options,
+                             const OutputOptions& output, Diagnostics& diagnostics);
 
 }  // namespace kinefile
 

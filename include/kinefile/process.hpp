@@ -48,6 +48,11 @@ std::span<const AdaptOption> adapt_options();
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
                        WriteOptions& options, Diagnostics& diagnostics);
 
+/// Whether `adapt` leaves every frame of a motion as it is, judged by its skeleton: the conventions
+/// of the format and the options ask for nothing else.
+/// \param motion  a motion without frames
+bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting);
+
 /// One job: read a document, change it by operations, write it.
 struct Job {
   std::string source;  ///< a path, or the name of `bytes` in diagnostics

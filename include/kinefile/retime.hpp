@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/frame_source.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
@@ -214,6 +215,12 @@ struct RetimeOptions {
 ///         finite, and not `lenient`; RTM008 (Usage) for more than 2^30 values
 Result<Motion> apply(const Motion& motion, const TimeMap& map, const RetimeOptions& options,
                      Diagnostics& diagnostics);
+
+/// A motion at another frame rate, of which each frame is made when it is asked for: as `apply`
+/// with `resample_map` makes it. Frames must be at equal intervals, and angles in degrees. \errors
+/// RTM002 (Usage) as in `resample_map`
+Result<LongMotion> resample(LongMotion motion, double frame_rate, const RetimeOptions& options,
+                            Diagnostics& diagnostics);
 
 /// Interpolates a motion whose frames have their own times to a steady rate (see `steady_map`); any
 /// other motion stays unchanged.

@@ -7,6 +7,13 @@
 
 namespace kinefile {
 
+/// The browser's build has no threads, and no bytes for what would never run.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
 /// Calls `work(i)` for each i below `count`, on up to `max_threads()` threads, and returns when all
 /// calls have ended. Work within such work is done by its own thread alone. If calls throw, the
 /// others are left out as far as possible, and one exception is thrown again here.

@@ -48,7 +48,10 @@ PoseTable FkTable::view() const {
           length_scale};
 }
 
-Result<FkTable> fk(Placed placed, const FkOptions& options) {
+namespace {
+
+/// \param num_frames  of the motion, which may be elsewhere
+Result<FkTable> make_table(Placed placed, std::size_t num_frames, const FkOptions& options) {
   if (placed.is_still && !options.rest) {
     return refuse_table(
         fmt::format("'{}' holds a skeleton alone; --rest shows its rest pose", options.name));
@@ -57,8 +60,8 @@ Result<FkTable> fk(Placed placed, const FkOptions& options) {
   if (options.rest) {
     motion.clip = rest_clip(motion.skeleton);
     placed.recorded.reset();
+    num_frames = 1;
   }
-  const std::size_t num_frames = motion.clip.num_frames;
   const auto frames = parse_range(options.frames, num_frames);
   if (!frames) {
     return refuse_table(fmt::format("expected --frames N, A:B or A:B:STEP within 0:{}, found '{}'",
@@ -75,7 +78,7 @@ Result<FkTable> fk(Placed placed, const FkOptions& options) {
   return FkTable{std::move(placed), options, *frames, std::move(*joints), scale};
 }
 
-PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
+KinematicsOptions kinematics_of(const FkTable& table, const FrameRange& frames) {
   KinematicsOptions options;
   options.first_frame = frames.begin;
   options.frame_step = frames.step;
@@ -83,6 +86,43 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
   options.rotations = table.options.rotations;
   options.directions = table.options.directions;
   options.tips = table.options.tips;
+  return options;
+}
+
+/// Poses over frames of a table, which are there as a clip of their own.
+PoseArrays poses_of_rows(const FkTable& table, const FrameRange& frames,
+                         std::span<const double> rows) {
+  const Skeleton& skeleton = table.placed.motion.skeleton;
+  Clip clip;
+  clip.num_frames = frames.end - frames.begin;
+  clip.num_coordinates = skeleton.coordinates.size();
+  clip.values = Array<double>::adopt(rows, nullptr);
+  KinematicsOptions options = kinematics_of(table, frames);
+  options.first_frame = 0;
+  PoseArrays poses;
+  if (table.options.local) {
+    poses = local_poses(skeleton, clip, options);
+  } else {
+    poses = forward_kinematics(skeleton, clip, options);
+  }
+  poses.first_frame = frames.begin;
+  return poses;
+}
+
+}  // namespace
+
+Result<FkTable> fk(Placed placed, const FkOptions& options) {
+  const std::size_t num_frames = placed.motion.clip.num_frames;
+  return make_table(std::move(placed), num_frames, options);
+}
+
+Result<FkTable> fk(const LongMotion& motion, const FkOptions& options) {
+  return make_table(Placed{std::get<Motion>(motion.document.content)}, motion.frames.num_frames,
+                    options);
+}
+
+PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
+  const KinematicsOptions options = kinematics_of(table, frames);
   const Motion& motion = table.placed.motion;
   if (table.options.local) return local_poses(motion.skeleton, motion.clip, options);
   PoseArrays poses = forward_kinematics(motion.skeleton, motion.clip, options);
@@ -106,6 +146,27 @@ bool write_table(const FkTable& table, const Format& format, const Sink& sink) {
     is_good = format.write_poses(view, poses_of(table, part), done == 0, sink);
   }
   return is_good;
+}
+
+Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
+                         const Sink& sink) {
+  const PoseTable view = table.view();
+  const FrameRange& all = table.frames;
+  const std::size_t num_frames = all.num_frames();
+  const std::size_t block = std::max<std::size_t>(
+      std::min(frames_per_block(*view.skeleton), frames_per_read(frames) / all.step), 1);
+  for (std::size_t done = 0; done < std::max<std::size_t>(num_frames, 1); done += block) {
+    FrameRange part = all;
+    part.begin = all.begin + done * all.step;
+    const std::size_t count = std::min(block, num_frames - done);
+    part.end = count == 0 ? part.begin : part.begin + (count - 1) * all.step + 1;
+    const auto rows = frames.rows(part.begin, part.end - part.begin);
+    if (!rows) return fail(rows.error());
+    if (!format.write_poses(view, poses_of_rows(table, part, *rows), done == 0, sink)) {
+      return fail(ErrorKind::Io, "IO003", "the output was cut off");
+    }
+  }
+  return {};
 }
 
 Result<std::vector<robot::LinkDeviation>> compare_links(const Document& document,

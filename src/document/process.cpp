@@ -108,6 +108,16 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   return made;
 }
 
+bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting) {
+  WriteOptions options;
+  Diagnostics changes;
+  const auto adapted = adapt(motion, format, adapting, options, changes);
+  const bool is_motion = adapted && std::holds_alternative<Motion>(adapted->content);
+  return is_motion && changes.items().empty() &&
+         skeleton_of(*adapted).angle_unit == skeleton_of(motion).angle_unit &&
+         are_written_alike(format, motion, *adapted);
+}
+
 Report process(const Job& job, const OutputFiles& files) {
   Report report;
   report.diagnostics.warnings_are_errors = job.strict;

@@ -90,13 +90,16 @@ void read_piece(const ByteSource& bytes, std::size_t begin, bool is_first, std::
 
 }  // namespace
 
-PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, std::size_t num_columns,
-                          const UseRows& use) {
-  const std::size_t count = (bytes.size - offset + kPieceBytes - 1) / kPieceBytes;
+namespace {
+
+/// As `read_row_pieces`, for `count` pieces from one on.
+PiecesEnd read_some_pieces(const ByteSource& bytes, std::size_t offset, std::size_t num_columns,
+                           std::size_t first, std::size_t count, const UseRows& use) {
   std::vector<Piece> pieces(std::min(count, slots_for_threads()));
   PiecesEnd end = PiecesEnd::AllRead;
   const auto make = [&](std::size_t i, std::size_t slot) {
-    read_piece(bytes, offset + i * kPieceBytes, i == 0, num_columns, pieces[slot]);
+    const std::size_t piece = first + i;
+    read_piece(bytes, offset + piece * kPieceBytes, piece == 0, num_columns, pieces[slot]);
   };
   const auto use_piece = [&](std::size_t, std::size_t slot) {
     const Piece& piece = pieces[slot];
@@ -109,6 +112,50 @@ PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, std::size
   };
   make_in_order(count, pieces.size(), make, use_piece);
   return end;
+}
+
+}  // namespace
+
+PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, std::size_t num_columns,
+                          const UseRows& use) {
+  const std::size_t count = (bytes.size - offset + kPieceBytes - 1) / kPieceBytes;
+  return read_some_pieces(bytes, offset, num_columns, 0, count, use);
+}
+
+std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offset,
+                                      std::size_t num_columns) {
+  IndexedRows indexed{bytes, offset, num_columns};
+  const auto note = [&](std::span<const double> rows, std::size_t) {
+    indexed.first_rows.push_back(indexed.num_rows() + rows.size() / num_columns);
+    return true;
+  };
+  if (read_row_pieces(bytes, offset, num_columns, note) != PiecesEnd::AllRead) return std::nullopt;
+  return indexed;
+}
+
+bool read_rows(const IndexedRows& rows, std::size_t first, std::size_t count, double* out) {
+  if (count == 0) return true;
+  const std::vector<std::size_t>& first_rows = rows.first_rows;
+  const auto piece_of = [&first_rows](std::size_t row) {
+    const auto behind = std::upper_bound(first_rows.begin(), first_rows.end(), row);
+    return static_cast<std::size_t>(behind - first_rows.begin()) - 1;
+  };
+  const std::size_t end = first + count;
+  const std::size_t first_piece = piece_of(first);
+  std::size_t piece = first_piece;
+  const auto copy = [&](std::span<const double> values, std::size_t) {
+    const std::size_t begin_of_piece = first_rows[piece++];
+    if (begin_of_piece + values.size() / rows.num_columns != first_rows[piece]) return false;
+    const std::size_t from = std::max(first, begin_of_piece);
+    const std::size_t to = std::min(end, first_rows[piece]);
+    if (from >= to) return true;  // a piece in which no row begins
+    const auto wanted =
+        values.subspan((from - begin_of_piece) * rows.num_columns, (to - from) * rows.num_columns);
+    std::copy(wanted.begin(), wanted.end(), out + (from - first) * rows.num_columns);
+    return true;
+  };
+  return read_some_pieces(rows.bytes, rows.offset, rows.num_columns, first_piece,
+                          piece_of(end - 1) + 1 - first_piece, copy) == PiecesEnd::AllRead;
 }
 
 }  // namespace kinefile

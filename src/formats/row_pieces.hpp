@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "kinefile/format.hpp"
 
@@ -27,5 +29,24 @@ using UseRows = std::function<bool(std::span<const double> rows, std::size_t num
 /// \param offset  where a line begins, or the rest of the line before the first row
 PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, std::size_t num_columns,
                           const UseRows& use);
+
+/// Rows that are read again by their numbers.
+struct IndexedRows {
+  ByteSource bytes;
+  std::size_t offset = 0;  ///< as in `read_row_pieces`
+  std::size_t num_columns = 0;
+  std::vector<std::size_t> first_rows = {0};  ///< of each piece; then the number of all rows
+
+  std::size_t num_rows() const { return first_rows.back(); }
+};
+
+/// Reads all rows once, and notes where they are; empty if `read_row_pieces` does not read all.
+std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offset,
+                                      std::size_t num_columns);
+
+/// Reads rows [first, first + count), all of which exist, on several threads if they are many.
+/// \param out  shape (count, num_columns)
+/// \returns    false after a fault, and if the file has other rows now
+bool read_rows(const IndexedRows& rows, std::size_t first, std::size_t count, double* out);
 
 }  // namespace kinefile

@@ -7,14 +7,11 @@
 #include <vector>
 
 #include "base/words.hpp"
-#include "io/file_pieces.hpp"
+#include "io/large_files.hpp"
 #include "kinefile/io.hpp"
 
 namespace kinefile {
 namespace {
-
-/// How many bytes of a file are used to detect its format.
-constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
 std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   std::string names;
@@ -138,29 +135,6 @@ Result<Document> read_bytes(std::string_view bytes, const std::string& name, con
   return format->read(bytes, options, diagnostics);
 }
 
-namespace {
-
-/// Reads a large and plain file without holding its bytes; empty for any other, which has to be
-/// read whole.
-std::optional<Result<Document>> read_large_file(const std::string& path, const Format* format,
-                                                ReadOptions options, Diagnostics& diagnostics) {
-  constexpr std::size_t kLarge = std::size_t{1} << 20;
-  if (path == "-" || options.opened != nullptr || !options.model_root.empty()) return std::nullopt;
-  const auto file = FilePieces::open(path, kLarge);
-  if (!file) return std::nullopt;
-  if (format == nullptr) format = detect_format(file->head(kHeadBytes), path);
-  if (format == nullptr || format->read_pieces == nullptr) return std::nullopt;
-  options.source_name = path;
-  Diagnostics own;
-  own.warnings_are_errors = diagnostics.warnings_are_errors;
-  auto document = format->read_pieces(file->source(), options, own);
-  if (!document || !file->is_unchanged()) return std::nullopt;
-  diagnostics.append(std::move(own));
-  return document;
-}
-
-}  // namespace
-
 Result<Document> read_file(const std::string& name, const Format* asked, ReadOptions options,
                            Diagnostics& diagnostics) {
   const std::string path = asked != nullptr ? path_in_set(name, *asked) : name;
@@ -278,6 +252,17 @@ Result<void> write(const std::string& name, const Document& document, const Form
   // With --strict a warning of a writer is an error, and the file is not created.
   if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
   return written;
+}
+
+Result<void> write_long_file(const std::string& path, const LongMotion& motion,
+                             const Format& format, const WriteOptions& options,
+                             const OutputOptions& output, Diagnostics& diagnostics) {
+  const OutputFiles files = files_on_disk(output);
+  const auto sink = files.open(path);
+  if (!sink) return fail(sink.error());
+  auto written = with_fault(format.write_frames(motion, options, *sink, diagnostics), files);
+  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
+  return written ? files.commit() : written;
 }
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,

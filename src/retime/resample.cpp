@@ -6,6 +6,7 @@
 
 #include "kinefile/retime.hpp"
 #include "retime/frames.hpp"
+#include "retime/steady_frames.hpp"
 
 namespace kinefile::retime {
 namespace {
@@ -24,20 +25,13 @@ Result<std::size_t> count_frames(double end) {
   return static_cast<std::size_t>(last) + 1;
 }
 
-/// The map whose new frame n is the old frame n x numerator / denominator, the end included.
 Result<TimeMap> map_by_ratio(std::size_t num_old_frames, double numerator, double denominator) {
   TimeMap map;
   if (num_old_frames == 0) return map;
-  const auto last_frame = static_cast<double>(num_old_frames - 1);
-  const auto count = count_frames(last_frame * denominator / numerator);
-  if (!count) return fail(count.error());
-  map.old_frames.reserve(*count);
-  for (std::size_t n = 0; n + 1 < *count; ++n) {
-    // Multiplying first keeps whole frames whole.
-    const double old_frame = on_whole_frame(static_cast<double>(n) * numerator / denominator);
-    map.old_frames.push_back(std::min(old_frame, last_frame));
-  }
-  map.old_frames.push_back(last_frame);
+  const auto steady = steady_frames(num_old_frames, numerator, denominator);
+  if (!steady) return fail(steady.error());
+  map.old_frames.resize(steady->num_frames);
+  for (std::size_t n = 0; n < steady->num_frames; ++n) map.old_frames[n] = steady->old_frame(n);
   return map;
 }
 
@@ -73,6 +67,22 @@ bool is_irregular(const Clip& clip) { return clip.num_frames > 1 && has_own_time
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
 }  // namespace
+
+double SteadyFrames::old_frame(std::size_t new_frame) const {
+  const auto last_frame = static_cast<double>(num_old_frames - 1);
+  if (new_frame + 1 == num_frames) return last_frame;
+  // Multiplying first keeps whole frames whole.
+  const double place = static_cast<double>(new_frame) * numerator / denominator;
+  return std::min(on_whole_frame(place), last_frame);
+}
+
+Result<SteadyFrames> steady_frames(std::size_t num_old_frames, double numerator,
+                                   double denominator) {
+  const auto last_frame = static_cast<double>(num_old_frames - 1);
+  const auto count = count_frames(last_frame * denominator / numerator);
+  if (!count) return fail(count.error());
+  return SteadyFrames{num_old_frames, *count, numerator, denominator};
+}
 
 Result<TimeMap> resample_map(const Clip& clip, double frame_rate) {
   if (!is_positive(frame_rate)) {

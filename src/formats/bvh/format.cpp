@@ -13,6 +13,7 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
+#include "text/print_rows.hpp"
 
 namespace kinefile::bvh {
 namespace {
@@ -157,6 +158,38 @@ Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& optio
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
 }
 
+/// Writes the hierarchy, and the frames if the document is a motion.
+/// \param frames  of the motion, whose own clip is not looked at
+Result<void> write_all(const Document& document, const FrameSource& frames,
+                       const kinefile::WriteOptions& options, const Sink& sink,
+                       Diagnostics& diagnostics) {
+  const Motion* const motion = std::get_if<Motion>(&document.content);
+  const Skeleton& skeleton = skeleton_of(document);
+  const auto unbound = unbind(skeleton);
+  if (!unbound) return fail(unbound.error());
+  if (const std::string option = option_of(skeleton); option != kReplace) {
+    diagnostics.add(Severity::Note, code::kPositionsAdded,
+                    fmt::format("position values are written as they are, to be added to OFFSET; "
+                                "read the file with --positions {}",
+                                option));
+  }
+  const KeptFile* const kept = document.kept.get<KeptFile>();
+  const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
+  const simd::NumberSpelling spelling{.decimals = options.decimals};
+  text::Printer printer(sink, spelling);
+  print_hierarchy(printer, unbound->file, line_end);
+  if (motion != nullptr) {
+    print_counts(printer, frames.num_frames, motion->clip.timeline, line_end);
+  }
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return for_each_block(frames, [&](const FrameBlock& block) {
+    const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+      print_frames(part, *unbound, block.rows, begin, end, line_end);
+    };
+    return text::print_rows(block.num_frames, frames.num_coordinates, spelling, print, sink);
+  });
+}
+
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,
                    const Sink& sink, Diagnostics& diagnostics) {
   if (auto taken = expect_kind(document, kWrites, "a motion or a skeleton to write as BVH");
@@ -168,24 +201,13 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
     auto steady = expect_steady(motion->clip, code::kNotExpressible, "BVH");
     if (!steady) return steady;
   }
-  const Skeleton& skeleton = skeleton_of(document);
-  auto unbound = unbind(skeleton);
-  if (!unbound) return fail(std::move(unbound.error()));
-  if (const std::string option = option_of(skeleton); option != kReplace) {
-    diagnostics.add(Severity::Note, code::kPositionsAdded,
-                    fmt::format("position values are written as they are, to be added to OFFSET; "
-                                "read the file with --positions {}",
-                                option));
-  }
-  const KeptFile* const kept = document.kept.get<KeptFile>();
-  const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
-  text::Printer printer(sink, {.decimals = options.decimals});
-  print_hierarchy(printer, unbound->file, line_end);
-  if (motion != nullptr) {
-    print_motion(printer, *unbound, motion->clip, line_end);
-  }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  const FrameSource frames = motion == nullptr ? FrameSource() : frames_of(motion->clip);
+  return write_all(document, frames, options, sink, diagnostics);
+}
+
+Result<void> write_frames(const LongMotion& motion, const kinefile::WriteOptions& options,
+                          const Sink& sink, Diagnostics& diagnostics) {
+  return write_all(motion.document, motion.frames, options, sink, diagnostics);
 }
 
 /// Whether the file's positions were read as added to OFFSET.
@@ -214,9 +236,11 @@ Format format() {
   format.extensions = kExtensions;
   format.probe = probe;
   format.read = read;
-#ifndef __EMSCRIPTEN__  // a page has all bytes of its files
-  format.read_pieces = read_pieces;
-#endif
+  if (kReadsInBlocks) {
+    format.read_pieces = read_pieces;
+    format.open_frames = open_frames;
+    format.write_frames = write_frames;
+  }
   format.write = write;
   format.facts = facts;
   format.adds_positions = were_positions_added;

@@ -44,16 +44,14 @@ struct Candidate {
   std::vector<Vec3> positions;  ///< the values, likewise; of sampled frames
 };
 
-/// A file with at most 64 of its frames.
+/// A file with some of its frames.
 File sampled(const File& file) {
-  constexpr std::size_t kMostFrames = 64;
   File sample;
   sample.nodes = file.nodes;
   sample.has_motion = true;
   sample.frame_time = file.frame_time;
   sample.num_columns = file.num_columns;
-  const std::size_t step =
-      std::max<std::size_t>((file.num_frames + kMostFrames - 1) / kMostFrames, 1);
+  const std::size_t step = sample_step(file.num_frames);
   for (std::size_t f = 0; f < file.num_frames; f += step) {
     sample.values.append(
         std::span<const double>(file.values).subspan(f * file.num_columns, file.num_columns));
@@ -325,6 +323,11 @@ std::optional<PositionMode> parse_mode(std::string_view word) {
 }
 
 }  // namespace
+
+std::size_t sample_step(std::size_t num_frames) {
+  constexpr std::size_t kMostFrames = 64;
+  return std::max<std::size_t>((num_frames + kMostFrames - 1) / kMostFrames, 1);
+}
 
 std::vector<PositionGuess> guess_positions(const File& file, std::optional<std::size_t> up) {
   if (file.num_frames == 0) return {};

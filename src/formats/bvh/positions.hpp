@@ -2,6 +2,7 @@
 // What the position channels of a file mean, joint by joint.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct PositionGuess {
   bool is_clear = false;  ///< the other meaning is clearly wrong
   std::string reason;     ///< for a message: "the lowest point would be at ..."
 };
+
+/// Guesses are made from every so many frames of a motion, 64 at the most.
+std::size_t sample_step(std::size_t num_frames);
 
 /// Guesses for the nodes with an OFFSET and position channels that allow one. For bones: the
 /// meaning that keeps the bone's length. For the joints that carry the figure: the meaning that

@@ -70,15 +70,20 @@ void print_hierarchy(text::Printer& printer, const File& file, std::string_view 
   close_to(0);
 }
 
-void print_motion(text::Printer& printer, const Unbound& unbound, const Clip& clip,
+void print_counts(text::Printer& printer, std::size_t num_frames, const Timeline& timeline,
                   std::string_view line_end) {
   Writer writer{printer, line_end};
   writer.line(0, "MOTION");
-  writer.line(0, fmt::format("Frames: {}", clip.num_frames));
-  writer.line(0, fmt::format("Frame Time: {}", frame_time(clip.timeline)));
+  writer.line(0, fmt::format("Frames: {}", num_frames));
+  writer.line(0, fmt::format("Frame Time: {}", frame_time(timeline)));
+}
+
+void print_frames(text::Printer& printer, const Unbound& unbound, std::span<const double> rows,
+                  std::size_t begin, std::size_t end, std::string_view line_end) {
+  const std::size_t num_columns = unbound.file.num_columns;
   std::vector<double> in_order(unbound.column_of.size());
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = clip.row(f);
+  for (std::size_t f = begin; f < end; ++f) {
+    const auto row = rows.subspan(f * num_columns, num_columns);
     for (std::size_t c = 0; c < in_order.size(); ++c) in_order[c] = row[unbound.column_of[c]];
     printer.print_row(in_order.empty() ? row : in_order, " ");
     printer.print(line_end);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/bvh/parser.hpp"
+#include "formats/bvh/positions.hpp"
 #include "formats/row_pieces.hpp"
 #include "text/decode.hpp"
 
@@ -66,9 +67,30 @@ std::unique_ptr<Head> find_head(const ByteSource& bytes, const kinefile::ReadOpt
   return nullptr;
 }
 
+/// A file with plain text before its rows.
+struct PlainFile {
+  Array<char> text;  ///< its beginning
+  std::unique_ptr<Head> head;
+  std::size_t offset = 0;     ///< where the rows begin
+  std::size_t num_bytes = 0;  ///< of the rows
+};
+
+std::optional<PlainFile> find_plain_file(const ByteSource& bytes,
+                                         const kinefile::ReadOptions& options, bool are_strict) {
+  PlainFile plain;
+  plain.head = find_head(bytes, options, are_strict, plain.text);
+  if (plain.head == nullptr) return std::nullopt;
+  const Body& body = plain.head->body;
+  plain.offset = static_cast<std::size_t>(body.begin - plain.text.data());
+  plain.num_bytes = bytes.size - plain.offset;
+  const bool claims_more = body.claim && *body.claim > most_rows(plain.head->file, plain.num_bytes);
+  if (claims_more) return std::nullopt;
+  return plain;
+}
+
 /// Reads the rows behind the head; false if the file is not plain.
 /// \param offset  where they begin
-bool read_rows(const ByteSource& bytes, std::size_t offset, File& file) {
+bool read_all_rows(const ByteSource& bytes, std::size_t offset, File& file) {
   std::size_t num_bytes = 0;
   const auto use = [&](std::span<const double> rows, std::size_t piece_bytes) {
     num_bytes += piece_bytes;
@@ -84,26 +106,87 @@ bool read_rows(const ByteSource& bytes, std::size_t offset, File& file) {
   return read_row_pieces(bytes, offset, file.num_columns, use) == PiecesEnd::AllRead;
 }
 
+/// The frames that guesses are made from.
+bool read_sample(const IndexedRows& rows, File& file) {
+  const std::size_t step = sample_step(rows.num_rows());
+  for (std::size_t row = 0; row < rows.num_rows(); row += step) {
+    if (!read_rows(rows, row, 1, file.values.grow(file.num_columns).data())) return false;
+    ++file.num_frames;
+  }
+  return true;
+}
+
+/// Empty if a diagnostic is an error, as a warning is with --strict: whoever reads the whole file
+/// reports it.
+std::optional<Document> plain_document(PlainFile& plain, std::size_t num_frames,
+                                       const kinefile::ReadOptions& options,
+                                       Diagnostics& diagnostics) {
+  Head& head = *plain.head;
+  diagnostics.append(std::move(head.diagnostics));
+  compare_with_claim(head.source, head.body, num_frames, diagnostics);
+  Document document =
+      document_of(std::move(head.file), head.source, layout_of(head.decoded), options, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return document;
+}
+
+/// The bytes that the values of a file need, if all rows are as long as the first line.
+double estimated_bytes(const PlainFile& plain) {
+  const char* const begin = plain.head->body.begin;
+  const char* const first = std::find_if(begin, plain.text.end(), [](char c) { return c > ' '; });
+  const auto row_bytes = static_cast<double>(std::find(first, plain.text.end(), '\n') - first + 1);
+  const auto bytes_of_values = static_cast<double>(plain.head->file.num_columns * sizeof(double));
+  return static_cast<double>(plain.num_bytes) / row_bytes * bytes_of_values;
+}
+
+/// The rows of a file, some at a time.
+FrameSource frames_of(IndexedRows&& rows, const std::string& name) {
+  struct Reader {
+    IndexedRows rows;
+    std::string name;
+    Array<double> values = {};
+  };
+  FrameSource frames{rows.num_rows(), rows.num_columns};
+  const auto reader = std::make_shared<Reader>(Reader{std::move(rows), name});
+  frames.rows = [reader](std::size_t first, std::size_t count) -> Result<std::span<const double>> {
+    reader->values.resize(count * reader->rows.num_columns);
+    if (!read_rows(reader->rows, first, count, reader->values.mutate().data())) {
+      return fail(make_error(ErrorKind::Io, "IO001",
+                             "cannot read: the file changed while it was read", reader->name));
+    }
+    return std::span<const double>(reader->values);
+  };
+  return frames;
+}
+
 }  // namespace
 
 std::optional<Result<Document>> read_pieces(const ByteSource& bytes,
                                             const kinefile::ReadOptions& options,
                                             Diagnostics& diagnostics) {
-  Array<char> text;
-  const auto head = find_head(bytes, options, diagnostics.warnings_are_errors, text);
-  if (head == nullptr) return std::nullopt;
-  File& file = head->file;
-  const auto offset = static_cast<std::size_t>(head->body.begin - text.data());
-  const std::size_t num_bytes = bytes.size - offset;
-  if (head->body.claim && *head->body.claim > most_rows(file, num_bytes)) return std::nullopt;
-  if (!read_rows(bytes, offset, file)) return std::nullopt;
-  diagnostics.append(std::move(head->diagnostics));
-  compare_with_claim(head->source, head->body, file.num_frames, diagnostics);
-  Document document =
-      document_of(std::move(file), head->source, layout_of(head->decoded), options, diagnostics);
-  // With --strict a warning is an error, and whoever reads the whole file reports it.
-  if (diagnostics.has_errors()) return std::nullopt;
-  return document;
+  auto plain = find_plain_file(bytes, options, diagnostics.warnings_are_errors);
+  if (!plain) return std::nullopt;
+  File& file = plain->head->file;
+  if (!read_all_rows(bytes, plain->offset, file)) return std::nullopt;
+  auto document = plain_document(*plain, file.num_frames, options, diagnostics);
+  if (!document) return std::nullopt;
+  return *std::move(document);
+}
+
+std::optional<LongMotion> open_frames(const ByteSource& bytes, double most_bytes_in_memory,
+                                      const kinefile::ReadOptions& options,
+                                      Diagnostics& diagnostics) {
+  auto plain = find_plain_file(bytes, options, diagnostics.warnings_are_errors);
+  if (!plain || estimated_bytes(*plain) <= most_bytes_in_memory) return std::nullopt;
+  File& file = plain->head->file;
+  auto rows = index_rows(bytes, plain->offset, file.num_columns);
+  if (!rows || !read_sample(*rows, file)) return std::nullopt;
+  auto document = plain_document(*plain, rows->num_rows(), options, diagnostics);
+  if (!document) return std::nullopt;
+  Clip& clip = std::get<Motion>(document->content).clip;
+  clip.num_frames = 0;
+  clip.values.clear();
+  return LongMotion{*std::move(document), frames_of(std::move(*rows), options.source_name)};
 }
 
 }  // namespace kinefile::bvh

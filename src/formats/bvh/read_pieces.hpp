@@ -19,4 +19,9 @@ std::optional<Result<Document>> read_pieces(const ByteSource& bytes,
                                             const kinefile::ReadOptions& options,
                                             Diagnostics& diagnostics);
 
+/// Opens a motion whose frames are read when they are asked for (see `Format::open_frames`).
+std::optional<LongMotion> open_frames(const ByteSource& bytes, double most_bytes_in_memory,
+                                      const kinefile::ReadOptions& options,
+                                      Diagnostics& diagnostics);
+
 }  // namespace kinefile::bvh

@@ -8,7 +8,7 @@
 #include "formats/csv/read.hpp"
 #include "formats/files.hpp"
 #include "kinefile/pose_table.hpp"
-#include "text/printer.hpp"
+#include "text/print_rows.hpp"
 #include "text/scanner.hpp"
 
 namespace kinefile::csv {
@@ -45,6 +45,31 @@ constexpr Kinds kWrites = {.motions = true, .flows = true};
 /// Tables that are read begin with the time.
 bool probe(std::string_view head) { return text::starts_with_ignoring_case(head, "time,"); }
 
+/// \param frames  of the motion, whose own clip is not looked at
+Result<void> write_motion(const Motion& motion, const FrameSource& frames,
+                          const kinefile::WriteOptions& options, const Sink& sink) {
+  const simd::NumberSpelling spelling{.decimals = options.decimals};
+  text::Printer printer(sink, spelling);
+  printer.print("time");
+  for (const std::string& name : column_names(motion.skeleton)) {
+    printer.print(',');
+    printer.print(text::csv_field(name));
+  }
+  printer.print('\n');
+  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  return for_each_block(frames, [&](const FrameBlock& block) {
+    const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        part.print_exact(time_of_frame(motion.clip.timeline, block.first_frame + f));
+        const std::size_t num_columns = frames.num_coordinates;
+        part.continue_row(block.rows.subspan(f * num_columns, num_columns), ",");
+        part.print('\n');
+      }
+    };
+    return text::print_rows(block.num_frames, frames.num_coordinates + 1, spelling, print, sink);
+  });
+}
+
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,
                    const Sink& sink, Diagnostics&) {
   if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
@@ -56,20 +81,12 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
                            "expected a motion to write as CSV, found a skeleton alone"));
   }
   if (auto taken = expect_kind(document, kWrites, "a motion to write as CSV"); !taken) return taken;
-  text::Printer printer(sink, {.decimals = options.decimals});
-  printer.print("time");
-  for (const std::string& name : column_names(motion->skeleton)) {
-    printer.print(',');
-    printer.print(text::csv_field(name));
-  }
-  printer.print('\n');
-  for (std::size_t f = 0; f < motion->clip.num_frames; ++f) {
-    printer.print_exact(time_of_frame(motion->clip.timeline, f));
-    printer.continue_row(motion->clip.row(f), ",");
-    printer.print('\n');
-  }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return write_motion(*motion, frames_of(motion->clip), options, sink);
+}
+
+Result<void> write_frames(const LongMotion& motion, const kinefile::WriteOptions& options,
+                          const Sink& sink, Diagnostics&) {
+  return write_motion(std::get<Motion>(motion.document.content), motion.frames, options, sink);
 }
 
 }  // namespace
@@ -82,6 +99,7 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
+  if (kReadsInBlocks) format.write_frames = write_frames;
   format.facts = facts_of_layout;
   format.write_poses = [](const PoseTable& table, const PoseArrays& poses, bool is_first,
                           const Sink& sink) {

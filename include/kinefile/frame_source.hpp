@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "kinefile/document.hpp"
+#include "kinefile/result.hpp"
+
+#pragma GCC visibility push(default)
+
+namespace kinefile {
+
+/// Whether motions can be read block by block; a page has all bytes of its files anyway.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool kReadsInBlocks = false;
+#else
+inline constexpr bool kReadsInBlocks = true;
+#endif
+
+/// The frames of a motion, which are read or computed when they are asked for.
+struct FrameSource {
+  std::size_t num_frames = 0;
+  std::size_t num_coordinates = 0;
+  /// The values of frames [first, first + count), which exist: [frame][coordinate], valid until the
+  /// next call. Called by one thread at a time.
+  /// \errors IO001 if they cannot be read any more
+  std::function<Result<std::span<const double>>(std::size_t first, std::size_t count)> rows = {};
+};
+
+/// A motion that need not fit in memory: the document's clip has a timeline and no frames.
+struct LongMotion {
+  Document document;
+  FrameSource frames;
+};
+
+/// The frames of a clip, which must outlive the result.
+FrameSource frames_of(const Clip& clip);
+
+/// Some frames of a source.
+struct FrameBlock {
+  std::size_t first_frame = 0;
+  std::size_t num_frames = 0;
+  std::span<const double> rows;  ///< [frame][coordinate]
+};
+
+/// How many frames to ask a source for at a time: a few megabytes.
+std::size_t frames_per_read(const FrameSource& frames);
+
+/// Hands all frames to `use`, block by block, which returns false if the output is cut off.
+/// \errors those of `FrameSource::rows`; IO003 if `use` returned false
+Result<void> for_each_block(const FrameSource& frames,
+                            const std::function<bool(const FrameBlock& block)>& use);
+
+}  // namespace kinefile
+
+#pragma GCC visibility pop

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "io/large_files.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "io/file_pieces.hpp"
+
+namespace kinefile {
+namespace {
+
+/// A file that is read piece by piece, and its format.
+struct LargeFile {
+  FilePieces pieces;
+  const Format* format = nullptr;
+};
+
+/// Opens a large file; null if it is small, or nothing that can be read piece by piece.
+/// \param format  null: found from the content, then from the name
+std::shared_ptr<const LargeFile> open_large_file(const std::string& path, const Format* format,
+                                                 const ReadOptions& options) {
+  constexpr std::size_t kLarge = std::size_t{1} << 20;
+  if (path == "-" || options.opened != nullptr || !options.model_root.empty()) return nullptr;
+  auto pieces = FilePieces::open(path, kLarge);
+  if (!pieces) return nullptr;
+  if (format == nullptr) format = detect_format(pieces->head(kHeadBytes), path);
+  if (format == nullptr) return nullptr;
+  return std::make_shared<const LargeFile>(LargeFile{*std::move(pieces), format});
+}
+
+/// The same frames, as long as the file is what it was.
+FrameSource while_unchanged(FrameSource frames, std::shared_ptr<const LargeFile> file,
+                            const std::string& path) {
+  frames.rows = [rows = std::move(frames.rows), file = std::move(file), path](
+                    std::size_t first, std::size_t count) -> Result<std::span<const double>> {
+    auto read = rows(first, count);
+    if (read && !file->pieces.is_unchanged()) {
+      return fail(make_error(ErrorKind::Io, "IO001",
+                             "cannot read: the file changed while it was read", path));
+    }
+    return read;
+  };
+  return frames;
+}
+
+}  // namespace
+
+std::optional<Result<Document>> read_large_file(const std::string& path, const Format* format,
+                                                ReadOptions options, Diagnostics& diagnostics) {
+  const auto file = open_large_file(path, format, options);
+  if (file == nullptr || file->format->read_pieces == nullptr) return std::nullopt;
+  options.source_name = path;
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto document = file->format->read_pieces(file->pieces.source(), options, own);
+  if (!document || !file->pieces.is_unchanged()) return std::nullopt;
+  diagnostics.append(std::move(own));
+  return document;
+}
+
+std::optional<LongMotion> open_long_motion(const std::string& path, const Format* format,
+                                           double most_bytes_in_memory, ReadOptions options,
+                                           Diagnostics& diagnostics) {
+  const auto file = open_large_file(path, format, options);
+  if (file == nullptr || file->format->open_frames == nullptr) return std::nullopt;
+  options.source_name = path;
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto motion =
+      file->format->open_frames(file->pieces.source(), most_bytes_in_memory, options, own);
+  if (!motion || !file->pieces.is_unchanged()) return std::nullopt;
+  diagnostics.append(std::move(own));
+  motion->frames = while_unchanged(std::move(motion->frames), file, path);
+  return motion;
+}
+
+}  // namespace kinefile

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/parallel.hpp"
+#include "kinefile/threads.hpp"
 #include "kinematics/kinematics_plan.hpp"
 
 namespace kinefile {
@@ -122,6 +124,19 @@ simd::Plan make_plan(const Skeleton& skeleton) {
   return plan;
 }
 
+/// How many frames a thread places at a time, all of them if they are not worth a thread. Parts are
+/// large, since what is large is written past the caches.
+std::size_t frames_per_part(std::size_t num_frames, std::size_t num_joints) {
+  constexpr std::size_t kFewestPoses = std::size_t{1} << 14;
+  constexpr std::size_t kPartsPerThread = 4;
+  constexpr std::size_t kFramesTogether = 32;  // the kernel's groups stay whole
+  const std::size_t num_threads = max_threads();
+  if (!kHasThreads || num_threads < 2) return num_frames;
+  const std::size_t fewest = kFewestPoses / std::max<std::size_t>(num_joints, 1);
+  const std::size_t frames = std::max(num_frames / (kPartsPerThread * num_threads), fewest);
+  return (frames / kFramesTogether + 1) * kFramesTogether;
+}
+
 template <class T>
 void place_rows(const simd::Plan& plan, simd::Frame frame, const ValueRows& rows,
                 std::size_t num_tips, const BasicPoseSpans<T>& out) {
@@ -131,10 +146,22 @@ void place_rows(const simd::Plan& plan, simd::Frame frame, const ValueRows& rows
   };
   assert(out.positions.size() == num_poses * 3 && fits(out.rotations, num_poses * 4));
   assert(fits(out.directions, num_poses * 3) && fits(out.tips, rows.num_frames * num_tips * 3));
-  const auto wanted = [](std::span<T> span) { return span.empty() ? nullptr : span.data(); };
-  simd::place_frames(plan, frame, {rows.values.data(), rows.num_frames, rows.stride},
-                     simd::PoseOutput<T>{wanted(out.positions), wanted(out.rotations),
-                                         wanted(out.directions), wanted(out.tips), num_tips});
+  const std::size_t num_joints = plan.joints.size();
+  const auto from = [](std::span<T> span, std::size_t first) {
+    return span.empty() ? nullptr : span.data() + first;
+  };
+  const auto place = [&](std::size_t first, std::size_t count) {
+    simd::place_frames(plan, frame, {rows.values.data() + first * rows.stride, count, rows.stride},
+                       simd::PoseOutput<T>{from(out.positions, first * num_joints * 3),
+                                           from(out.rotations, first * num_joints * 4),
+                                           from(out.directions, first * num_joints * 3),
+                                           from(out.tips, first * num_tips * 3), num_tips});
+  };
+  const std::size_t part = frames_per_part(rows.num_frames, num_joints);
+  if (part >= rows.num_frames) return place(0, rows.num_frames);
+  for_each_index((rows.num_frames + part - 1) / part, [&](std::size_t i) {
+    place(i * part, std::min(part, rows.num_frames - i * part));
+  });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinefile/kinematics.hpp"
+#include "support/threads.hpp"
 
 namespace kinefile {
 namespace {
@@ -187,13 +188,33 @@ TEST(QuaternionKinematics, LargeResultsAreThoseOfTheirParts) {
   std::vector<double> memory(clip.num_frames * row_size + 1);
   const std::span<double> whole = std::span(memory).subspan(1);  // no cache line's beginning
   const std::span<const double> values = clip.values;
-  kinematics.place({values, clip.num_frames, clip.num_coordinates}, PoseSpans{whole});
-  std::vector<double> part(100 * row_size);
-  for (std::size_t first = 0; first + 100 <= clip.num_frames; first += 100) {
-    kinematics.place({values.subspan(first * clip.num_coordinates), 100, clip.num_coordinates},
-                     PoseSpans{part});
-    const auto same = whole.subspan(first * row_size, part.size());
-    ASSERT_TRUE(std::equal(part.begin(), part.end(), same.begin())) << first;
+  for (const std::size_t threads : test::kThreadCounts) {
+    const test::Threads some(threads);
+    kinematics.place({values, clip.num_frames, clip.num_coordinates}, PoseSpans{whole});
+    std::vector<double> part(100 * row_size);
+    for (std::size_t first = 0; first + 100 <= clip.num_frames; first += 100) {
+      kinematics.place({values.subspan(first * clip.num_coordinates), 100, clip.num_coordinates},
+                       PoseSpans{part});
+      const auto same = whole.subspan(first * row_size, part.size());
+      ASSERT_TRUE(std::equal(part.begin(), part.end(), same.begin())) << first;
+    }
+  }
+}
+
+TEST(QuaternionKinematics, EveryNumberOfThreadsGivesTheSameBits) {
+  const Skeleton skeleton = make_tree(AngleUnit::Degrees, 23);
+  const Clip clip = make_clip(skeleton, 5'001, 500);
+  const auto placed = [&](std::size_t threads) {
+    const test::Threads some(threads);
+    return forward_kinematics(skeleton, clip, kAll);
+  };
+  const WorldPoses alone = placed(1);
+  for (const std::size_t threads : test::kThreadCounts) {
+    const WorldPoses poses = placed(threads);
+    EXPECT_EQ(poses.positions, alone.positions);
+    EXPECT_EQ(poses.rotations, alone.rotations);
+    EXPECT_EQ(poses.directions, alone.directions);
+    EXPECT_EQ(poses.tips, alone.tips);
   }
 }
 

@@ -148,7 +148,7 @@ TEST(LongMotion, IsResampledAsTheWholeFile) {
   for (const Rotation rotation :
        {Rotation::Slerp, Rotation::Nlerp, Rotation::Cubic, Rotation::Euler}) {
     for (const bool antialias : {false, true}) {
-      for (const double rate : {7.0, 29.97, 60.0, 111.0}) {
+      for (const double rate : {7.0, 111.0}) {
         const retime::RetimeOptions options{.rotation = rotation, .antialias = antialias};
         const auto map = retime::resample_map(whole.clip, rate);
         ASSERT_TRUE(map);

@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "kinefile/threads.hpp"
 
 namespace kinefile::text {
 namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
 constexpr std::size_t kPieceNumbers = 1024;
+constexpr std::size_t kPartNumbers = std::size_t{1} << 15;  ///< that a thread prints at a time
 
 }  // namespace
 
@@ -37,6 +42,31 @@ void Printer::print_row(std::span<const double> numbers, std::string_view separa
 void Printer::continue_row(std::span<const double> numbers, std::string_view separator) {
   if (!numbers.empty()) print(separator);
   print_row(numbers, separator);
+}
+
+void Printer::print_rows(std::size_t num_rows, std::size_t numbers_per_row,
+                         const PrintRows& print) {
+  const std::size_t part =
+      std::max<std::size_t>(kPartNumbers / std::max<std::size_t>(numbers_per_row, 1), 1);
+  if (!kHasThreads || num_rows <= part || max_threads() < 2) return print(*this, 0, num_rows);
+  hand_on();
+  std::vector<std::string> texts(slots_for_threads());
+  const auto make = [&](std::size_t i, std::size_t slot) {
+    std::string& text = texts[slot];
+    text.clear();
+    const std::function<bool(std::string_view)> append = [&text](std::string_view piece) {
+      text += piece;
+      return true;
+    };
+    Printer printer(append, spelling_);
+    print(printer, i * part, std::min((i + 1) * part, num_rows));
+    printer.finish();
+  };
+  make_in_order((num_rows + part - 1) / part, texts.size(), make,
+                [&](std::size_t, std::size_t slot) {
+                  is_good_ = is_good_ && sink_(texts[slot]);
+                  return is_good_;
+                });
 }
 
 bool Printer::finish() {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@ namespace kinefile::text {
 /// Collects output and passes it on in large pieces.
 class Printer {
  public:
+  /// Prints some rows, from one up to another that is not included.
+  using PrintRows = std::function<void(Printer& printer, std::size_t begin, std::size_t end)>;
+
   /// \param sink      receives the pieces; printing ends if it returns false
   /// \param spelling  of every number
   explicit Printer(const std::function<bool(std::string_view)>& sink,
@@ -30,6 +34,13 @@ class Printer {
   /// Prints numbers behind something else: with a separator before each.
   void continue_row(std::span<const double> numbers, std::string_view separator);
   void print(char character) { buffer_.push_back(character); }
+
+  /// Prints rows, in parts on several threads if they are many.
+  /// \param print  called with a printer for each part, for several parts at once
+  void print_rows(std::size_t num_rows, std::size_t numbers_per_row, const PrintRows& print);
+
+  /// Whether the sink never returned false.
+  bool is_good() const { return is_good_; }
 
   /// Passes on the rest. Returns false if the sink ever returned false.
   bool finish();

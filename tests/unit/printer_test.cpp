@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "support/threads.hpp"
 
 namespace kinefile::text {
 namespace {
@@ -114,6 +118,55 @@ TEST(CsvField, QuotesAsRfc4180Says) {
 TEST(JsonString, EscapesWhatJsonEscapes) {
   EXPECT_EQ(json_string("a\"\\\n"), "\"a\\\"\\\\\\u000a\"");
   EXPECT_EQ(json_string("\xE5\x8F\xB3"), "\"\xE5\x8F\xB3\"");
+}
+
+std::string many_rows_printed(std::size_t num_rows) {
+  std::string text;
+  const std::function<bool(std::string_view)> sink = [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  };
+  Printer printer(sink, {.decimals = 2});
+  printer.print("before\n");
+  printer.print_rows(num_rows, 3, [](Printer& part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto number = static_cast<double>(i);
+      part.print_row(std::array{number, -number / 3, 1e-3 * number}, " ");
+      part.print('\n');
+    }
+  });
+  printer.print("behind\n");
+  EXPECT_TRUE(printer.finish());
+  return text;
+}
+
+TEST(Printer, RowsAreTheSameWithAnyNumberOfThreads) {
+  for (const std::size_t num_rows : {0u, 1u, 50'000u}) {
+    std::string expected;
+    for (const std::size_t threads : test::kThreadCounts) {
+      const test::Threads some(threads);
+      const std::string text = many_rows_printed(num_rows);
+      if (expected.empty()) expected = text;
+      EXPECT_TRUE(text == expected);
+    }
+    const auto num_lines = std::count(expected.begin(), expected.end(), '\n');
+    EXPECT_EQ(static_cast<std::size_t>(num_lines), num_rows + 2);
+  }
+}
+
+TEST(Printer, RowsEndWhereTheSinkDoes) {
+  const test::Threads some(7);
+  int num_pieces = 0;
+  const std::function<bool(std::string_view)> sink = [&num_pieces](std::string_view) {
+    return ++num_pieces < 3;
+  };
+  Printer printer(sink);
+  printer.print_rows(1'000'000, 1, [](Printer& part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) part.print("1\n");
+  });
+  EXPECT_FALSE(printer.is_good());
+  EXPECT_FALSE(printer.finish());
+  EXPECT_EQ(num_pieces, 3);
 }
 
 }  // namespace

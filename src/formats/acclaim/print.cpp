@@ -170,6 +170,20 @@ void print_heading(Writer& writer, const Unbound& unbound, const AmcHeading& hea
   }
 }
 
+/// Prints a line for each bone in this order.
+void print_frame(text::Printer& printer, const Unbound& unbound,
+                 const std::vector<std::size_t>& order, std::span<const double> row,
+                 std::string_view line_end) {
+  std::vector<double> numbers;
+  for (const std::size_t i : order) {
+    printer.print(i == 0 ? std::string_view("root") : unbound.file.bones[i - 1].name);
+    numbers.clear();
+    for (const std::size_t c : unbound.columns[i]) numbers.push_back(row[c]);
+    printer.continue_row(numbers, " ");
+    printer.print(line_end);
+  }
+}
+
 }  // namespace
 
 void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
@@ -177,18 +191,14 @@ void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading&
   Writer writer{printer, line_end};
   print_heading(writer, unbound, heading, clip.timeline);
   const std::vector<std::size_t> order = line_order(unbound, heading.bone_order);
-  std::vector<double> numbers;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = clip.row(f);
-    writer.line(std::to_string(heading.first_frame_number + static_cast<std::int64_t>(f)));
-    for (const std::size_t i : order) {
-      printer.print(i == 0 ? std::string_view("root") : unbound.file.bones[i - 1].name);
-      numbers.clear();
-      for (const std::size_t c : unbound.columns[i]) numbers.push_back(row[c]);
-      printer.continue_row(numbers, " ");
-      printer.print(line_end);
+  const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      part.print(std::to_string(heading.first_frame_number + static_cast<std::int64_t>(f)));
+      part.print(line_end);
+      print_frame(part, unbound, order, clip.row(f), line_end);
     }
-  }
+  };
+  printer.print_rows(clip.num_frames, clip.num_coordinates, print);
 }
 
 }  // namespace kinefile::acclaim

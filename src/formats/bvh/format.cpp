@@ -13,7 +13,6 @@
 #include "formats/common_options.hpp"
 #include "formats/files.hpp"
 #include "text/decode.hpp"
-#include "text/print_rows.hpp"
 
 namespace kinefile::bvh {
 namespace {
@@ -175,19 +174,22 @@ Result<void> write_all(const Document& document, const FrameSource& frames,
   }
   const KeptFile* const kept = document.kept.get<KeptFile>();
   const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
-  const simd::NumberSpelling spelling{.decimals = options.decimals};
-  text::Printer printer(sink, spelling);
+  text::Printer printer(sink, {.decimals = options.decimals});
   print_hierarchy(printer, unbound->file, line_end);
   if (motion != nullptr) {
     print_counts(printer, frames.num_frames, motion->clip.timeline, line_end);
   }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return for_each_block(frames, [&](const FrameBlock& block) {
-    const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
-      print_frames(part, *unbound, block.rows, begin, end, line_end);
-    };
-    return text::print_rows(block.num_frames, frames.num_coordinates, spelling, print, sink);
+  auto printed = for_each_block(frames, [&](const FrameBlock& block) {
+    printer.print_rows(block.num_frames, frames.num_coordinates,
+                       [&](text::Printer& part, std::size_t begin, std::size_t end) {
+                         print_frames(part, *unbound, block.rows, begin, end, line_end);
+                       });
+    return printer.is_good();
   });
+  if (printed && !printer.finish()) {
+    return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  }
+  return printed;
 }
 
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,

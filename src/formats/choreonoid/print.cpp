@@ -169,11 +169,11 @@ class SeqPrinter {
     print_head(printed, 4);
     const std::size_t num_frames = printed.component->num_frames;
     line(4, num_frames == 0 ? "frames: [ ]" : "frames:");
-    for (std::size_t f = 0; f < num_frames; ++f) {
-      printer_.print("      - ");
-      print_row(printed, f);
-      printer_.print(line_end_);
-    }
+    print_rows(printed, [&printed](SeqPrinter& part, std::size_t f) {
+      part.printer_.print("      - ");
+      part.print_row(printed, f);
+      part.printer_.print(part.line_end_);
+    });
   }
 
   void print_json(const PrintedComponent& printed) {
@@ -191,12 +191,24 @@ class SeqPrinter {
     print_head(printed, 0);
     line(0, "\"frames\": [");
     const std::size_t num_frames = printed.component->num_frames;
-    for (std::size_t f = 0; f < num_frames; ++f) {
-      print_row(printed, f);
-      if (f + 1 < num_frames) printer_.print(',');
-      printer_.print(line_end_);
-    }
+    print_rows(printed, [&printed, num_frames](SeqPrinter& part, std::size_t f) {
+      part.print_row(printed, f);
+      if (f + 1 < num_frames) part.printer_.print(',');
+      part.printer_.print(part.line_end_);
+    });
     printer_.print("] ");
+  }
+
+  /// Prints all frames of a component.
+  /// \param print_one  with the printer of its part, and the frame
+  template <class PrintOne>
+  void print_rows(const PrintedComponent& printed, const PrintOne& print_one) {
+    const Component& component = *printed.component;
+    printer_.print_rows(component.num_frames, component.row_size(),
+                        [&](text::Printer& printer, std::size_t begin, std::size_t end) {
+                          SeqPrinter part(printer, file_, line_end_);
+                          for (std::size_t f = begin; f < end; ++f) print_one(part, f);
+                        });
   }
 
   void print_row(const PrintedComponent& printed, std::size_t frame) {

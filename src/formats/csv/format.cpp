@@ -8,7 +8,7 @@
 #include "formats/csv/read.hpp"
 #include "formats/files.hpp"
 #include "kinefile/pose_table.hpp"
-#include "text/print_rows.hpp"
+#include "text/printer.hpp"
 #include "text/scanner.hpp"
 
 namespace kinefile::csv {
@@ -48,26 +48,29 @@ bool probe(std::string_view head) { return text::starts_with_ignoring_case(head,
 /// \param frames  of the motion, whose own clip is not looked at
 Result<void> write_motion(const Motion& motion, const FrameSource& frames,
                           const kinefile::WriteOptions& options, const Sink& sink) {
-  const simd::NumberSpelling spelling{.decimals = options.decimals};
-  text::Printer printer(sink, spelling);
+  text::Printer printer(sink, {.decimals = options.decimals});
   printer.print("time");
   for (const std::string& name : column_names(motion.skeleton)) {
     printer.print(',');
     printer.print(text::csv_field(name));
   }
   printer.print('\n');
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return for_each_block(frames, [&](const FrameBlock& block) {
+  const std::size_t num_columns = frames.num_coordinates;
+  auto printed = for_each_block(frames, [&](const FrameBlock& block) {
     const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         part.print_exact(time_of_frame(motion.clip.timeline, block.first_frame + f));
-        const std::size_t num_columns = frames.num_coordinates;
         part.continue_row(block.rows.subspan(f * num_columns, num_columns), ",");
         part.print('\n');
       }
     };
-    return text::print_rows(block.num_frames, frames.num_coordinates + 1, spelling, print, sink);
+    printer.print_rows(block.num_frames, num_columns + 1, print);
+    return printer.is_good();
   });
+  if (printed && !printer.finish()) {
+    return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
+  }
+  return printed;
 }
 
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,

@@ -42,11 +42,14 @@ Component root_angles(const Component& links) {
 
 void print_rows(text::Printer& printer, const Component& component, std::size_t first,
                 std::size_t count) {
-  for (std::size_t f = 0; f < component.num_frames; ++f) {
-    printer.print_exact(time_of_frame(component.timeline, f));
-    printer.continue_row(component.row(f).subspan(first, count), " ");
-    printer.print('\n');
-  }
+  const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      part.print_exact(time_of_frame(component.timeline, f));
+      part.continue_row(component.row(f).subspan(first, count), " ");
+      part.print('\n');
+    }
+  };
+  printer.print_rows(component.num_frames, count + 1, print);
 }
 
 /// Writes one file of the set.

@@ -107,8 +107,8 @@ void print_clip(text::Printer& printer, const Motion& motion) {
   print_elements(printer, names.size(), ",",
                  [&](std::size_t i) { printer.print(text::json_string(names[i])); });
   printer.print(",\n\"values\":");
-  print_elements(printer, motion.clip.num_frames, ",\n  ",
-                 [&](std::size_t f) { print_array(printer, motion.clip.row(f)); });
+  print_rows(printer, motion.clip.num_frames, motion.clip.num_coordinates,
+             [&](text::Printer& part, std::size_t f) { print_array(part, motion.clip.row(f)); });
 }
 
 std::string_view type_name(ComponentKind kind) {
@@ -147,8 +147,8 @@ void print_component(text::Printer& printer, const Component& component) {
     print_array(printer, own_times(component.timeline));
   }
   printer.print(",\"frames\":");
-  print_elements(printer, component.num_frames, ",\n  ",
-                 [&](std::size_t f) { print_frame(printer, component, f); });
+  print_rows(printer, component.num_frames, component.row_size(),
+             [&](text::Printer& part, std::size_t f) { print_frame(part, component, f); });
   printer.print('}');
 }
 

@@ -34,4 +34,20 @@ void print_elements(text::Printer& printer, std::size_t count, std::string_view 
   printer.print(']');
 }
 
+/// Prints an array of many rows of numbers, each on a line of its own.
+/// \param print_row  with a printer and the number of the row
+template <class PrintRow>
+void print_rows(text::Printer& printer, std::size_t num_rows, std::size_t numbers_per_row,
+                const PrintRow& print_row) {
+  printer.print('[');
+  printer.print_rows(num_rows, numbers_per_row,
+                     [&](text::Printer& part, std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i) {
+                         if (i > 0) part.print(",\n  ");
+                         print_row(part, i);
+                       }
+                     });
+  printer.print(']');
+}
+
 }  // namespace kinefile::json

@@ -6,6 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#ifdef KINEFILE_HAS_ASSIMP
+#include <assimp/cimport.h>
+#endif
+
 #include <cmath>
 #include <filesystem>
 
@@ -44,6 +48,29 @@ void read_on_threads(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_or_exit(subject().path));
   set_max_threads(1);
 }
+
+/// Reads block by block; the pass that counts the rows has been made.
+void read_blocks(benchmark::State& state) {
+  Diagnostics diagnostics;
+  const auto motion = open_long_motion(subject().path, nullptr, 0, {}, diagnostics);
+  for (auto _ : state) {
+    const auto read = for_each_block(motion->frames, [](const FrameBlock& block) {
+      benchmark::DoNotOptimize(block.rows.data());
+      return true;
+    });
+    if (!read) state.SkipWithError("not read");
+  }
+}
+
+#ifdef KINEFILE_HAS_ASSIMP
+void read_assimp(benchmark::State& state) {
+  for (auto _ : state) {
+    const aiScene* const scene = aiImportFile(subject().path.c_str(), 0);
+    if (scene == nullptr) state.SkipWithError("not read");
+    aiReleaseImport(scene);
+  }
+}
+#endif
 
 void read_ifstream(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(sum_with_ifstream(subject().path));
@@ -95,6 +122,10 @@ void add_files() {
   measure("read/kinefile", read_kinefile<&Subject::path>);
   measure("read/bare_fast_float_loop", read_baseline<&Subject::path, sum_of_bvh>);
   measure("read/ifstream", read_ifstream);
+  measure("read_blocks/kinefile", read_blocks);
+#ifdef KINEFILE_HAS_ASSIMP
+  measure("read/assimp", read_assimp);
+#endif
   measure("read_amc/kinefile", read_kinefile<&Subject::amc_path>);
   measure("read_amc/bare_fast_float_loop",
           read_baseline<&Subject::amc_path, sum_words_with_fast_float>);
@@ -111,6 +142,9 @@ void add_files() {
   compare("reading BVH, against a bare fast_float loop", "read/kinefile",
           "read/bare_fast_float_loop");
   compare("reading BVH, against ifstream >>", "read/kinefile", "read/ifstream");
+  compare("reading BVH block by block, against a fast_float loop", "read_blocks/kinefile",
+          "read/bare_fast_float_loop");
+  compare("reading BVH, against assimp's importer", "read/kinefile", "read/assimp");
   compare("reading AMC, against a bare fast_float loop", "read_amc/kinefile",
           "read_amc/bare_fast_float_loop");
   compare("reading CSV, against a bare fast_float loop", "read_csv/kinefile",

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <vector>
 
 namespace kinefile::bench {
 namespace {
 
-constexpr int kTurns = 9;
+constexpr int kTurns = 10;
+constexpr double kMostDrift = 1.25;  ///< of a baseline, beyond which a ratio says nothing
 
 struct Line {
   std::string what;
@@ -23,9 +26,19 @@ std::vector<Line>& lines() {
   return all;
 }
 
+/// The fastest turns of a measurement, every other one of them apart.
 struct Times {
-  double least = 0;
-  double greatest = 0;
+  std::array<double, 2> least = {std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::infinity()};
+  std::size_t num_turns = 0;
+
+  void add(double seconds) {
+    double& half = least[num_turns++ % 2];
+    half = std::min(half, seconds);
+  }
+  double fastest() const { return std::min(least[0], least[1]); }
+  /// Whether both halves of the turns say the same, or nearly so.
+  bool is_steady() const { return std::max(least[0], least[1]) <= kMostDrift * fastest(); }
 };
 
 /// Prints as usual and keeps the times of each measurement.
@@ -37,10 +50,7 @@ class Reporter : public benchmark::ConsoleReporter {
       const bool by_clock = run.run_name.time_type.find("real_time") != std::string::npos;
       const double seconds = (by_clock ? run.real_accumulated_time : run.cpu_accumulated_time) /
                              static_cast<double>(run.iterations);
-      auto [found, is_new] =
-          times_.try_emplace(run.run_name.function_name, Times{seconds, seconds});
-      Times& times = found->second;
-      times = {std::min(times.least, seconds), std::max(times.greatest, seconds)};
+      times_[run.run_name.function_name].add(seconds);
     }
     ConsoleReporter::ReportRuns(runs);
   }
@@ -57,7 +67,12 @@ void print(const Reporter& reporter, const Line& line) {
   const Times* ours = reporter.find(line.ours);
   const Times* baseline = reporter.find(line.baseline);
   if (ours == nullptr || baseline == nullptr) return;
-  fmt::print("{:<58}{:.2f}\n", line.what, baseline->least / ours->least);
+  if (!baseline->is_steady()) {
+    fmt::print("{:<58}no verdict: the baseline takes {:.1f} or {:.1f} ms\n", line.what,
+               baseline->least[0] * 1e3, baseline->least[1] * 1e3);
+    return;
+  }
+  fmt::print("{:<58}{:.2f}\n", line.what, baseline->fastest() / ours->fastest());
 }
 
 }  // namespace

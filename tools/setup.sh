@@ -30,7 +30,8 @@ case "${1:-}" in
   demo) wanted=$demo tools=$demo_tools libraries=$demo_libraries ;;
   test) wanted=$test tools=$test_tools libraries=$test_libraries ;;
   web) wanted=$web tools=$web_tools libraries=$demo_libraries ;;
-  bench) wanted=$bench tools=$bench_tools libraries=$bench_libraries ;;
+  # What only a measurement needs is not for the tests, which compile the rest of them.
+  bench) wanted="$bench libassimp-dev" tools=$bench_tools libraries=$bench_libraries ;;
   *) echo "usage: tools/setup.sh demo|web|test|bench" >&2; exit 2 ;;
 esac
 

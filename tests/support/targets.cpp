@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tests run on the instruction set that KINEFILE_TEST_TARGET names, as if the machine had no
-// better one. The tests' CMakeLists.txt runs some of them once for each.
+// better one, and with as many threads as KINEFILE_TEST_THREADS says. The tests' CMakeLists.txt
+// runs some of them once for each; tools/torture.sh all of them.
 #include <hwy/highway.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include "kinefile/threads.hpp"
 
 namespace kinefile::test {
 namespace {
@@ -23,6 +26,13 @@ std::int64_t targets_up_to(std::string_view name) {
   const char* const name = std::getenv("KINEFILE_TEST_TARGET");
   if (name == nullptr) return false;
   hwy::SetSupportedTargetsForTest(hwy::SupportedTargets() & targets_up_to(name));
+  return true;
+}();
+
+[[maybe_unused]] const bool are_threads_chosen = [] {
+  const char* const count = std::getenv("KINEFILE_TEST_THREADS");
+  if (count == nullptr) return false;
+  set_max_threads(std::strtoul(count, nullptr, 10));
   return true;
 }();
 

@@ -107,8 +107,8 @@ HWY_INLINE void take_ends(const std::uint32_t* row_ends, const RowTemplate& row,
 }
 
 /// Finds where a row's numbers begin; whether each does before its end.
-HWY_INLINE bool find_row_begins(std::uint32_t at, const RowTemplate& row,
-                                const std::uint32_t* ends, std::uint32_t* begins) {
+HWY_INLINE bool find_row_begins(std::uint32_t at, const RowTemplate& row, const std::uint32_t* ends,
+                                std::uint32_t* begins) {
   const std::size_t num_columns = row.num_columns();
   const std::uint32_t* const sizes = row.gap_sizes().data();
   begins[0] = at + sizes[0];
@@ -186,11 +186,10 @@ NumberRows read_templated(const char* begin, const char* end, const RowTemplate&
     index_ends(read.next, size, *index);
     find_rows(read.next, size, row, max_rows - read.num_rows, *index);
     const std::size_t num_tokens =
-        read_tokens(read.next, numbers, read.next == begin, out + read.num_rows * num_columns);
+        read_tokens(read.next, numbers, static_cast<std::size_t>(read.next - begin),
+                    out + read.num_rows * num_columns);
     const std::size_t num_rows = num_tokens / num_columns;
-    for (std::size_t i = 0; rows != nullptr && i < num_rows; ++i) {
-      *rows++ = read.next + (i == 0 ? 0 : numbers.row_ends[i - 1]);
-    }
+    rows = append_begins(read.next, numbers, num_rows, rows);
     if (num_rows == 0) return read;
     read.next += numbers.row_ends[num_rows - 1];
     read.num_rows += num_rows;

@@ -25,6 +25,7 @@
 #endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/number_rows.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -131,6 +132,7 @@ HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_
   std::uint64_t return_before = 0;
   std::array<std::uint64_t, kPiece / kWord> begins;
   for (std::size_t at = 0; at < size; at += kWord) {
+    hwy::Prefetch(text + at + kPrefetch);
     const WordMasks masks = masks_of(text + at);
     const std::uint64_t behind_separator = masks.separators << 1 | separator_before;
     const std::uint64_t behind_return = masks.carriage_returns << 1 | return_before;

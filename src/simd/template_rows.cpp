@@ -18,6 +18,7 @@
 #endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/template_rows.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -86,6 +87,7 @@ HWY_INLINE void index_ends(const char* text, std::size_t size, TemplateIndex& in
   index.num_ends = 0;
   std::uint64_t separator_before = 1;  // a piece begins where a row begins
   for (std::size_t at = 0; at < size; at += kWord) {
+    hwy::Prefetch(text + at + kPrefetch);
     const std::uint64_t separators = separators_of(text + at);
     const std::uint64_t ends = separators & ~(separators << 1 | separator_before);
     separator_before = separators >> (kWord - 1);

@@ -97,7 +97,11 @@ void reserve_rows(const char* begin, const char* end, TableRows& rows) {
   const std::size_t num_rows = rows.starts.size() + num_more + num_more / 16 + 1;
   rows.times.reserve(num_rows);
   rows.starts.reserve(num_rows);
-  for (TablePart& part : rows.parts) part.values.reserve(num_rows * part.width);
+  // Numbers without a column need no bytes in the file.
+  const auto num_bytes = static_cast<std::size_t>(end - rows.starts.front());
+  for (TablePart& part : rows.parts) {
+    part.values.reserve(std::min(num_rows * part.width, num_bytes));
+  }
 }
 
 /// Appends what a reader of many rows finds.

@@ -2,6 +2,7 @@
 #include "formats/table_rate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -156,6 +157,18 @@ double rate_of_coarse_times(std::span<const double> times) {
   return usual->per_second;
 }
 
+double power_of_ten(double exponent) {
+  static const std::array<double, 20> kUsual = [] {
+    std::array<double, 20> powers;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+      powers[i] = std::pow(10.0, -static_cast<double>(i));
+    }
+    return powers;
+  }();
+  const bool is_usual = exponent <= 0 && -exponent < static_cast<double>(kUsual.size());
+  return is_usual ? kUsual[static_cast<std::size_t>(-exponent)] : std::pow(10.0, exponent);
+}
+
 }  // namespace
 
 double half_of_last_digit(const char* at, const char* end) {
@@ -176,7 +189,7 @@ double half_of_last_digit(const char* at, const char* end) {
     for (; at != end && is_digit(*at); ++at) exponent = 10 * exponent + (*at - '0');
     if (is_negative) exponent = -exponent;
   }
-  return 0.5 * std::pow(10.0, exponent - digits);
+  return 0.5 * power_of_ten(exponent - digits);
 }
 
 std::optional<double> rate_of_times(std::span<const double> times,

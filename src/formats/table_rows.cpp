@@ -15,21 +15,17 @@ namespace {
 /// The part of a period within which a first time is read as 0.
 constexpr double kStart = 1e-4;
 
-/// The times of a table, which increase; empty after an error.
-std::optional<std::vector<double>> times_of(const text::Source& source, const TableRows& rows,
-                                            const char* code, Diagnostics& diagnostics) {
-  std::vector<double> times;
-  times.reserve(rows.starts.size());
-  for (std::size_t i = 0; i < rows.starts.size(); ++i) {
-    const double time = rows.values[i * rows.num_columns];
-    if (!std::isfinite(time) || (i > 0 && time <= times.back())) {
-      text::report(source, diagnostics, Severity::Error, code,
-                   fmt::format("expected times that go up, found {}", time), rows.starts[i]);
-      return std::nullopt;
-    }
-    times.push_back(time);
+/// Whether the times of a table are finite and increase; reports a fault.
+bool do_times_rise(const text::Source& source, const TableRows& rows, const char* code,
+                   Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < rows.times.size(); ++i) {
+    const double time = rows.times[i];
+    if (std::isfinite(time) && (i == 0 || time > rows.times[i - 1])) continue;
+    text::report(source, diagnostics, Severity::Error, code,
+                 fmt::format("expected times that go up, found {}", time), rows.starts[i]);
+    return false;
   }
-  return times;
+  return true;
 }
 
 /// Half of the last digit of each row's time.
@@ -91,7 +87,7 @@ void note_slow(const text::Source& source, const TableRows& rows, std::span<cons
                rows.starts[1]);
 }
 
-/// Reserves memory as if all rows were as long as the first one.
+/// Reserves memory as if all rows were as long as those before them.
 void reserve_rows(const char* begin, const char* end, TableRows& rows) {
   // A number has two bytes at the least, with its separator.
   const std::size_t least = 2 * rows.num_columns;
@@ -99,53 +95,87 @@ void reserve_rows(const char* begin, const char* end, TableRows& rows) {
       std::max(static_cast<std::size_t>(begin - rows.starts.front()) / rows.starts.size(), least);
   const std::size_t num_more = static_cast<std::size_t>(end - begin) / row_bytes;
   const std::size_t num_rows = rows.starts.size() + num_more + num_more / 16 + 1;
-  rows.values.reserve(num_rows * rows.num_columns);
+  rows.times.reserve(num_rows);
   rows.starts.reserve(num_rows);
+  // Numbers without a column need no bytes in the file.
+  const auto num_bytes = static_cast<std::size_t>(end - rows.starts.front());
+  for (TablePart& part : rows.parts) {
+    part.values.reserve(std::min(num_rows * part.width, num_bytes));
+  }
+}
+
+/// Appends what a reader of many rows finds.
+/// \param read  called with the place, the most rows, and room for their numbers and starts
+template <class Read>
+const char* append_many(const char* begin, const char* end, const Read& read, TableRows& rows) {
+  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
+  reserve_rows(begin, end, rows);
+  const std::size_t most = kSomeNumbers / rows.num_columns + 1;
+  Array<double> numbers(most * rows.num_columns);
+  std::vector<const char*> starts(most);
+  while (true) {
+    const simd::NumberRows found = read(begin, most, numbers.mutate().data(), starts.data());
+    const double* row = numbers.data();
+    for (std::size_t i = 0; i < found.num_rows; ++i, row += rows.num_columns) {
+      rows.append({row, rows.num_columns}, starts[i]);
+    }
+    begin = found.next;
+    if (found.num_rows < most) return begin;
+  }
 }
 
 }  // namespace
 
+void TableRows::add_part(std::span<const std::size_t> columns) {
+  parts.push_back({column_runs(columns), columns.size(), {}});
+}
+
+void TableRows::append(std::span<const double> row, const char* start) {
+  times.push_back(row[0]);
+  starts.push_back(start);
+  for (TablePart& part : parts) {
+    take_columns(part.columns, row.data(), part.values.grow(part.width).data());
+  }
+}
+
+const char* append_number_rows(const char* begin, const char* end, TableRows& rows) {
+  const auto read = [&](const char* at, std::size_t most, double* out, const char** starts) {
+    return simd::read_number_rows(at, end, rows.num_columns, most, out, starts);
+  };
+  return append_many(begin, end, read, rows);
+}
+
 const char* append_like_rows(const char* begin, const char* end, const simd::RowTemplate& row,
                              TableRows& rows) {
-  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
-  reserve_rows(begin, end, rows);
-  const std::size_t most = kSomeNumbers / rows.num_columns + 1;
-  while (true) {
-    const std::size_t num_before = rows.starts.size();
-    rows.starts.resize(num_before + most);
-    double* const out = rows.values.grow(most * rows.num_columns).data();
-    const simd::NumberRows read =
-        simd::read_template_rows(begin, end, row, most, out, &rows.starts[num_before]);
-    rows.starts.resize(num_before + read.num_rows);
-    rows.values.resize(rows.starts.size() * rows.num_columns);
-    begin = read.next;
-    if (read.num_rows < most) return begin;
-  }
+  const auto read = [&](const char* at, std::size_t most, double* out, const char** starts) {
+    return simd::read_template_rows(at, end, row, most, out, starts);
+  };
+  return append_many(begin, end, read, rows);
 }
 
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
                                          std::optional<double> fps, const TableTimeCodes& codes,
                                          Diagnostics& diagnostics) {
-  auto times = times_of(source, rows, codes.not_rising, diagnostics);
-  if (!times) return std::nullopt;
+  if (!do_times_rise(source, rows, codes.not_rising, diagnostics)) return std::nullopt;
+  const std::vector<double>& times = rows.times;
   if (fps) return Timeline{FrameRate{*fps}, 0};
-  if (times->size() < 2) {
+  if (times.size() < 2) {
     text::report(source, diagnostics, Severity::Note, codes.no_rate,
                  "the table does not tell its rate; 30 frames a second are assumed (--fps says "
                  "otherwise)",
                  source.text().data());
     return Timeline{FrameRate{30}, 0};
   }
-  note_slow(source, rows, *times, codes.slow, diagnostics);
-  const auto rate = rate_of_times(*times, half_digits_of(source, rows));
+  note_slow(source, rows, times, codes.slow, diagnostics);
+  const auto rate = rate_of_times(times, half_digits_of(source, rows));
   if (!rate) {
-    note_gaps(source, rows, *times, codes.gap, diagnostics);
-    return Timeline{FrameTimes{std::move(*times)}, 0};
+    note_gaps(source, rows, times, codes.gap, diagnostics);
+    return Timeline{FrameTimes{times}, 0};
   }
-  if (std::abs(times->front()) * *rate > kStart) {
+  if (std::abs(times.front()) * *rate > kStart) {
     text::report(
         source, diagnostics, Severity::Note, codes.late_start,
-        fmt::format("the table begins at {} s; times count from its first row on", times->front()),
+        fmt::format("the table begins at {} s; times count from its first row on", times.front()),
         rows.starts.front());
   }
   return Timeline{FrameRate{*rate}, 0};

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "formats/column_runs.hpp"
 #include "kinefile/array.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/timeline.hpp"
@@ -13,12 +15,30 @@
 
 namespace kinefile {
 
-/// The numbers of a table, row after row, the time first in each; and where the rows start.
+/// The numbers of some columns of a table, row after row.
+struct TablePart {
+  std::vector<ColumnRun> columns;
+  std::size_t width = 0;
+  Array<double> values;
+};
+
+/// The rows of a table, each of which begins with its time.
 struct TableRows {
   std::size_t num_columns = 0;
-  Array<double> values;
+  std::vector<double> times;
   std::vector<const char*> starts;
+  std::vector<TablePart> parts;
+
+  /// Adds a part for some columns, before there are rows.
+  void add_part(std::span<const std::size_t> columns);
+  /// Appends a row to all parts.
+  /// \param start  of its text
+  void append(std::span<const double> row, const char* start);
 };
+
+/// Appends rows of numbers between blanks, as far as they go (see `simd::read_number_rows`).
+/// \returns  the first row that is another, or the end
+const char* append_number_rows(const char* begin, const char* end, TableRows& rows);
 
 /// Appends rows that have the text of the first row between their numbers, as far as they go.
 /// \param row  the template of the first row

@@ -18,6 +18,10 @@ namespace kinefile::simd {
 inline constexpr std::size_t kWord = 64;          ///< bytes that a mask stands for
 inline constexpr std::size_t kPiece = 32 * 1024;  ///< bytes that are indexed at a time
 
+/// How far ahead memory is asked for: it takes as long as reading some hundred bytes. The
+/// processor's own guess ends with each page.
+inline constexpr std::size_t kPrefetch = 1024;
+
 /// The first rows of a piece and their tokens, as distances from the piece's beginning. A token has
 /// a separator behind it, and a row a token.
 struct Index {

@@ -25,6 +25,7 @@
 #endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/number_rows.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -38,7 +39,7 @@
 #if KINEFILE_HAS_WIDE_MASKS
 namespace kinefile::simd::N_AVX2 {
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out);
+                    std::size_t max_rows, double* out, const char** rows);
 }
 #endif
 
@@ -48,14 +49,15 @@ namespace HWY_NAMESPACE {
 #if KINEFILE_HAS_WIDE_MASKS
 
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out) {
-  return N_AVX2::read_all(begin, end, num_columns, max_rows, out);
+                    std::size_t max_rows, double* out, const char** rows) {
+  return N_AVX2::read_all(begin, end, num_columns, max_rows, out, rows);
 }
 
 #elif HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 
 // Without vectors the other reader, which reads byte by byte, is as fast.
-NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, double*) {
+NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, double*,
+                    const char**) {
   return {0, begin};
 }
 
@@ -130,6 +132,7 @@ HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_
   std::uint64_t return_before = 0;
   std::array<std::uint64_t, kPiece / kWord> begins;
   for (std::size_t at = 0; at < size; at += kWord) {
+    hwy::Prefetch(text + at + kPrefetch);
     const WordMasks masks = masks_of(text + at);
     const std::uint64_t behind_separator = masks.separators << 1 | separator_before;
     const std::uint64_t behind_return = masks.carriage_returns << 1 | return_before;
@@ -152,7 +155,7 @@ HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_
 }  // namespace
 
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out) {
+                    std::size_t max_rows, double* out, const char** rows) {
   const auto index = std::make_unique_for_overwrite<Index>();
   NumberRows read{0, begin};
   while (true) {
@@ -161,8 +164,10 @@ NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
     const std::size_t most = std::min(index->num_rows, max_rows - read.num_rows);
     index->num_tokens = most * num_columns;
     const std::size_t num_tokens =
-        read_tokens(read.next, *index, read.next == begin, out + read.num_rows * num_columns);
+        read_tokens(read.next, *index, static_cast<std::size_t>(read.next - begin),
+                    out + read.num_rows * num_columns);
     const std::size_t num_rows = num_tokens / num_columns;
+    rows = append_begins(read.next, *index, num_rows, rows);
     if (num_rows == 0) return read;
     read.next += index->row_ends[num_rows - 1];
     read.num_rows += num_rows;
@@ -183,8 +188,8 @@ HWY_EXPORT(read_all);
 }  // namespace
 
 NumberRows read_number_rows(const char* begin, const char* end, std::size_t num_columns,
-                            std::size_t max_rows, double* out) {
-  return HWY_DYNAMIC_DISPATCH(read_all)(begin, end, num_columns, max_rows, out);
+                            std::size_t max_rows, double* out, const char** rows) {
+  return HWY_DYNAMIC_DISPATCH(read_all)(begin, end, num_columns, max_rows, out, rows);
 }
 
 }  // namespace kinefile::simd

@@ -22,7 +22,8 @@ struct NumberRows {
 /// \param max_rows     where to stop
 /// \param out          room for `max_rows` rows; shape (max_rows, num_columns). What stands behind
 ///                     the rows that were read is not defined.
+/// \param rows         out: where each row begins; room for `max_rows`; null: not wanted
 NumberRows read_number_rows(const char* begin, const char* end, std::size_t num_columns,
-                            std::size_t max_rows, double* out);
+                            std::size_t max_rows, double* out, const char** rows = nullptr);
 
 }  // namespace kinefile::simd

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace kinefile::simd {
 
@@ -49,6 +50,35 @@ struct Divisors {
 };
 inline constexpr Divisors kDivisors;
 
+/// Masks of 32 bytes.
+struct LongMasks {
+  std::array<std::uint8_t, 4 * kLongToken> bytes{};  ///< none, all, all, none
+  constexpr LongMasks() {
+    for (std::size_t i = kLongToken; i < 3 * kLongToken; ++i) bytes[i] = 0xFF;
+  }
+  /// 0xFF for the first bytes, or the last ones.
+  constexpr const std::uint8_t* first(std::size_t count) const {
+    return &bytes[3 * kLongToken - count];
+  }
+  constexpr const std::uint8_t* last(std::size_t count) const { return &bytes[count]; }
+};
+inline constexpr LongMasks kLongMasks;
+
+/// As `Divisors`, for tokens of 32 bytes. Powers that no double is equal to are not a number.
+struct LongDivisors {
+  std::array<double, kLongToken + 1> values{};
+  constexpr LongDivisors() {
+    constexpr std::size_t kMostDecimals = 22;
+    double power = 1;
+    for (std::size_t decimals = 0; decimals < kLongToken; ++decimals, power *= 10) {
+      values[kLongToken - 1 - decimals] =
+          decimals <= kMostDecimals ? power : std::numeric_limits<double>::quiet_NaN();
+    }
+    values[kLongToken] = 1;
+  }
+};
+inline constexpr LongDivisors kLongDivisors;
+
 /// The sign bits of four tokens, of which those whose bit is set are negative.
 struct SignBits {
   alignas(32) std::array<std::array<std::uint64_t, 4>, 16> values{};
@@ -86,6 +116,8 @@ alignas(16) inline constexpr std::uint8_t kShortLimits[16] = {0, 9, 9, 9, 9, 9, 
                                                               9, 9, 9, 9, 9, 9, 9, 9};
 alignas(16) inline constexpr std::uint8_t kLongLimits[16] = {0, 0, 0, 0, 0, 0, 0, 0,
                                                              0, 0, 0, 0, 0, 9, 9, 9};
+alignas(32) inline constexpr std::uint8_t kLongGroupLimits[32] = {
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9};
 alignas(16) inline constexpr std::uint8_t kPlaces[16] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                          8, 9, 10, 11, 12, 13, 14, 15};
 

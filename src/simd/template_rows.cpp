@@ -18,6 +18,7 @@
 #endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/template_rows.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -86,6 +87,7 @@ HWY_INLINE void index_ends(const char* text, std::size_t size, TemplateIndex& in
   index.num_ends = 0;
   std::uint64_t separator_before = 1;  // a piece begins where a row begins
   for (std::size_t at = 0; at < size; at += kWord) {
+    hwy::Prefetch(text + at + kPrefetch);
     const std::uint64_t separators = separators_of(text + at);
     const std::uint64_t ends = separators & ~(separators << 1 | separator_before);
     separator_before = separators >> (kWord - 1);
@@ -94,15 +96,45 @@ HWY_INLINE void index_ends(const char* text, std::size_t size, TemplateIndex& in
   }
 }
 
-/// Whether a text begins as a gap does. Bytes up to the end of the gap's last word can be read.
-HWY_INLINE bool has_gap(const char* text, const RowTemplate& row, const RowTemplate::Gap& gap) {
-  std::uint64_t difference = 0;
-  for (std::size_t i = 0; i < gap.num_words; ++i) {
-    const RowTemplate::Word& word = row.words()[gap.first_word + i];
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, text + 8 * i, 8);
-    difference |= (bytes ^ word.bytes) & word.mask;
+/// Finds the ends of a row's numbers among those of all its words.
+HWY_INLINE void take_ends(const std::uint32_t* row_ends, const RowTemplate& row,
+                          std::uint32_t* ends) {
+  const std::size_t num_columns = row.num_columns();
+  const std::uint32_t* const places = row.end_places().data();
+  if (row.end_places().back() == num_columns - 1) {  // no words but numbers
+    std::copy_n(row_ends, num_columns, ends);
+    return;
   }
+  for (std::size_t c = 0; c < num_columns; ++c) ends[c] = row_ends[places[c]];
+}
+
+/// Finds where a row's numbers begin; whether each does before its end.
+HWY_INLINE bool find_row_begins(std::uint32_t at, const RowTemplate& row, const std::uint32_t* ends,
+                                std::uint32_t* begins) {
+  const std::size_t num_columns = row.num_columns();
+  const std::uint32_t* const sizes = row.gap_sizes().data();
+  begins[0] = at + sizes[0];
+  std::uint32_t num_wrong = begins[0] >= ends[0];
+  for (std::size_t c = 1; c < num_columns; ++c) {
+    begins[c] = ends[c - 1] + sizes[c];
+    num_wrong |= begins[c] >= ends[c];
+  }
+  return num_wrong == 0;
+}
+
+/// Whether a row has the template's text.
+HWY_INLINE bool has_text(const char* text, std::uint32_t at, const RowTemplate& row,
+                         const std::uint32_t* ends) {
+  const RowTemplate::Word* word = row.words().data();
+  const RowTemplate::Word* const last = word + row.words().size();
+  std::uint64_t difference = 0;
+  const auto look_at = [&](const char* gap) HWY_ATTR {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, gap + word->place, 8);
+    difference |= (bytes ^ word->bytes) & word->mask;
+  };
+  for (; word != last && word->gap == 0; ++word) look_at(text + at);
+  for (; word != last; ++word) look_at(text + ends[word->gap - 1]);
   return difference == 0;
 }
 
@@ -110,26 +142,19 @@ HWY_INLINE bool has_gap(const char* text, const RowTemplate& row, const RowTempl
 /// \param at    in: where the row begins; out: where the next one does
 /// \param next  in: the number of the row's first end; out: likewise
 HWY_INLINE bool find_row(const char* text, std::size_t size, const RowTemplate& row,
-                         TemplateIndex& index, std::size_t& at, std::size_t& next) {
-  const std::vector<RowTemplate::Gap>& gaps = row.gaps();
+                         TemplateIndex& index, std::uint32_t& at, std::size_t& next) {
+  if (next + row.num_ends() > index.num_ends) return false;
   const std::size_t first = index.numbers.num_tokens;
-  const std::size_t num_columns = row.num_columns();
-  std::size_t end = at;
-  for (std::size_t c = 0;; ++c) {
-    const RowTemplate::Gap& gap = gaps[c];
-    if (end + 8 * gap.num_words > size || !has_gap(text + end, row, gap)) return false;
-    const std::size_t begin = end + gap.size;
-    next += gap.num_ends;
-    if (c == num_columns) {
-      at = begin;
-      return true;
-    }
-    if (next >= index.num_ends) return false;
-    end = index.ends[next++];
-    if (end <= begin) return false;
-    index.numbers.begins[first + c] = static_cast<std::uint32_t>(begin);
-    index.numbers.ends[first + c] = static_cast<std::uint32_t>(end);
-  }
+  std::uint32_t* const ends = &index.numbers.ends[first];
+  take_ends(&index.ends[next], row, ends);
+  // No gap begins behind the last one, so that all their bytes can be read.
+  const std::uint32_t last_end = ends[row.num_columns() - 1];
+  if (last_end + row.reach() > size) return false;
+  if (!find_row_begins(at, row, ends, &index.numbers.begins[first])) return false;
+  if (!has_text(text, at, row, ends)) return false;
+  at = last_end + row.gap_sizes().back();
+  next += row.num_ends();
+  return true;
 }
 
 /// Finds the first rows of a piece that have the template's text, and their numbers.
@@ -137,11 +162,11 @@ HWY_INLINE void find_rows(const char* text, std::size_t size, const RowTemplate&
                           std::size_t max_rows, TemplateIndex& index) {
   Index& numbers = index.numbers;
   numbers.num_tokens = numbers.num_rows = 0;
-  std::size_t at = 0;
+  std::uint32_t at = 0;
   std::size_t next = 0;
   while (numbers.num_rows < max_rows && find_row(text, size, row, index, at, next)) {
     numbers.num_tokens += row.num_columns();
-    numbers.row_ends[numbers.num_rows++] = static_cast<std::uint32_t>(at);
+    numbers.row_ends[numbers.num_rows++] = at;
   }
 }
 
@@ -163,11 +188,10 @@ NumberRows read_templated(const char* begin, const char* end, const RowTemplate&
     index_ends(read.next, size, *index);
     find_rows(read.next, size, row, max_rows - read.num_rows, *index);
     const std::size_t num_tokens =
-        read_tokens(read.next, numbers, read.next == begin, out + read.num_rows * num_columns);
+        read_tokens(read.next, numbers, static_cast<std::size_t>(read.next - begin),
+                    out + read.num_rows * num_columns);
     const std::size_t num_rows = num_tokens / num_columns;
-    for (std::size_t i = 0; rows != nullptr && i < num_rows; ++i) {
-      *rows++ = read.next + (i == 0 ? 0 : numbers.row_ends[i - 1]);
-    }
+    rows = append_begins(read.next, numbers, num_rows, rows);
     if (num_rows == 0) return read;
     read.next += numbers.row_ends[num_rows - 1];
     read.num_rows += num_rows;
@@ -188,14 +212,12 @@ HWY_EXPORT(read_templated);
 }  // namespace
 
 void RowTemplate::add_gap(std::string_view text) {
-  Gap gap;
-  gap.size = static_cast<std::uint32_t>(text.size());
-  gap.first_word = static_cast<std::uint32_t>(words_.size());
-  gap.num_words = static_cast<std::uint32_t>((text.size() + 7) / 8);
+  const auto gap = static_cast<std::uint32_t>(gap_sizes_.size());
   // Before the first number stands the end of a row, and before any other text a number.
-  bool is_in_word = !gaps_.empty();
+  if (gap > 0) end_places_.push_back(static_cast<std::uint32_t>(num_ends_++));
+  bool is_in_word = gap > 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_in_word && is_separator(text[i]) && i > 0) ++gap.num_ends;
+    if (is_in_word && is_separator(text[i]) && i > 0) ++num_ends_;
     is_in_word = !is_separator(text[i]);
   }
   for (std::size_t i = 0; i < text.size(); i += 8) {
@@ -204,8 +226,11 @@ void RowTemplate::add_gap(std::string_view text) {
     Word& word = words_.emplace_back();
     std::memcpy(&word.bytes, text.data() + i, count);
     std::memcpy(&word.mask, kAll, count);
+    word.gap = gap;
+    word.place = static_cast<std::uint32_t>(i);
+    reach_ = std::max(reach_, i + 8);
   }
-  gaps_.push_back(gap);
+  gap_sizes_.push_back(static_cast<std::uint32_t>(text.size()));
 }
 
 NumberRows read_template_rows(const char* begin, const char* end, const RowTemplate& row,

@@ -30,25 +30,31 @@ class RowTemplate {
   /// goes to the end of the row.
   void add_gap(std::string_view text);
 
-  std::size_t num_columns() const { return gaps_.empty() ? 0 : gaps_.size() - 1; }
+  std::size_t num_columns() const { return gap_sizes_.empty() ? 0 : gap_sizes_.size() - 1; }
 
-  /// Eight bytes of text, and which of them count.
+  /// Eight bytes of a gap's text, and which of them count.
   struct Word {
     std::uint64_t bytes = 0;
     std::uint64_t mask = 0;
+    std::uint32_t gap = 0;
+    std::uint32_t place = 0;  ///< from the gap's beginning
   };
-  struct Gap {
-    std::uint32_t size = 0;        ///< bytes
-    std::uint32_t num_ends = 0;    ///< how many words that are no numbers end in it
-    std::uint32_t first_word = 0;  ///< of its text
-    std::uint32_t num_words = 0;
-  };
-  const std::vector<Gap>& gaps() const { return gaps_; }
   const std::vector<Word>& words() const { return words_; }
+  /// The bytes of each gap.
+  const std::vector<std::uint32_t>& gap_sizes() const { return gap_sizes_; }
+  /// Where the end of each number stands among the ends of all words of a row.
+  const std::vector<std::uint32_t>& end_places() const { return end_places_; }
+  /// How many words of a row end in it, numbers and others.
+  std::size_t num_ends() const { return num_ends_; }
+  /// How far the words of a gap reach at the most, in bytes.
+  std::size_t reach() const { return reach_; }
 
  private:
-  std::vector<Gap> gaps_;
-  std::vector<Word> words_;
+  std::vector<Word> words_;  ///< those of the first gap first
+  std::vector<std::uint32_t> gap_sizes_;
+  std::vector<std::uint32_t> end_places_;
+  std::size_t num_ends_ = 0;
+  std::size_t reach_ = 0;
 };
 
 /// Reads rows that have the text of a template, exact to the last bit, until one that has not, or

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "base/words.hpp"
@@ -198,7 +199,7 @@ NumberRow read_number_row(const char* begin, const char* end, double* out, std::
   }
 }
 
-NumberList read_number_list(const char* begin, const char* end, std::vector<double>& out) {
+NumberList read_number_list(const char* begin, const char* end, Array<double>& out) {
   NumberList list;
   const auto skip_space = [end, &list](const char* p) {
     for (; p != end && ListSpace::has(*p); ++p) list.has_break |= is_line_end(*p);
@@ -208,7 +209,7 @@ NumberList read_number_list(const char* begin, const char* end, std::vector<doub
   std::array<double, 64> piece;
   std::size_t num_in_piece = 0;
   const auto append_piece = [&] {
-    out.insert(out.end(), piece.begin(), piece.begin() + num_in_piece);
+    out.append(std::span(piece.data(), num_in_piece));
     num_in_piece = 0;
   };
   list.next = skip_space(begin);

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
+
+#include "kinefile/array.hpp"
 
 namespace kinefile::text {
 
@@ -67,6 +68,6 @@ struct NumberList {
 /// Reads numbers that are separated by commas, over any number of lines, exact to the last bit, and
 /// appends them: stops at the first that is not a finite number in plain notation followed by a
 /// comma, a closing bracket or space.
-NumberList read_number_list(const char* begin, const char* end, std::vector<double>& out);
+NumberList read_number_list(const char* begin, const char* end, Array<double>& out);
 
 }  // namespace kinefile::text

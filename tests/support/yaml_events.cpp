@@ -132,7 +132,9 @@ std::optional<std::string> yaml_events(std::string_view text, YamlEventOptions o
   while (parser.next(event)) {
     if (event.kind == EventKind::StreamEnd) return lister.lines();
     if (event.kind == EventKind::Row) {
-      lister.add_row(rows.shape(event.row), rows.pop(event.row));
+      for (std::size_t i = 0; i < event.num_rows; ++i) {
+        lister.add_row(rows.shape(event.row), rows.pop(event.row));
+      }
     } else {
       lister.add(event);
     }

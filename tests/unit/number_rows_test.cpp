@@ -176,6 +176,65 @@ TEST(ReadNumberRows, ReadsNumbersBesideTheMiddleOfTwoDoubles) {
   }
 }
 
+/// Rows of four, in which a token stands among long ones, behind the text's first bytes.
+std::string among_long_tokens(const std::string& token) {
+  std::string text = "0.12345678901234567 -1.2345678901234567 12.345678901234567 0\n";
+  for (std::size_t at = 0; at < 4; ++at) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      text += i == at ? token : i % 2 == 0 ? "-0.1234567890123456" : "98765432109876543";
+      text += i == 3 ? "\n" : " ";
+    }
+  }
+  return text + tail(4);
+}
+
+TEST(ReadNumberRows, ReadsAnyTokenAmongLongOnes) {
+  Tokens tokens(5);
+  for (const char* token :
+       {"0", "-0", "-0.0", "5.", "-.5", "0.0000000000000000000001", "0.00000000000000000000001",
+        "9999999999999999999", "-9999999999999999999", "10000000000000000000", "+1.5", "1e-7",
+        "0.9999999999999999999", "999999999.9999999999", "00000000000000000000000000000001",
+        "000000000000000000000000000000001", "0.0000000000001234567890123456789",
+        "18014398509481987", "1844674407370955161"}) {
+    expect_same(among_long_tokens(token), 4);
+  }
+  for (const char* odd : {".", "-", "-.", "1.2.3", "1234567890.12345678.9", "12345678901234567-",
+                          "1234567890123456:", "0x123456789012345678", "nan"}) {
+    expect_same(among_long_tokens(odd), 4);
+    EXPECT_EQ(rows_of(among_long_tokens(odd), 4).num_rows,
+              rows_of(among_long_tokens("1"), 4).num_rows == 0 ? 0 : 1)
+        << odd;
+  }
+  for (int round = 0; round < 3000; ++round) {
+    expect_same(among_long_tokens(tokens.digits(1 + tokens.below(24))), 4);
+  }
+}
+
+/// Numbers of up to 19 digits halfway between two doubles, the next ones, and their hundredths.
+TEST(ReadNumberRows, RoundsLongTokensBesideTheMiddleOfTwoDoubles) {
+  std::mt19937_64 random(6);
+  for (int round = 0; round < 3000; ++round) {
+    const int shift = 1 + static_cast<int>(random() % 10);
+    const std::uint64_t middle =
+        ((std::uint64_t{1} << 53 | (random() >> 11)) << shift) + (std::uint64_t{1} << (shift - 1));
+    for (const std::uint64_t number : {middle - 1, middle, middle + 1}) {
+      std::string digits = fmt::format("{}", number);
+      expect_same(among_long_tokens(digits), 4);
+      digits.insert(digits.size() - random() % digits.size(), ".");
+      expect_same(among_long_tokens(digits), 4);
+    }
+  }
+}
+
+/// The text before the piece that is read is no longer than it is.
+TEST(ReadNumberRows, ReadsAPieceThatBeginsCloseToTheText) {
+  for (const std::size_t length : {200u, 40'000u}) {
+    const std::string text = "1 2\n5 " + std::string(length, '0') + "7\n" + tail(2);
+    const std::vector<char> alone(text.begin(), text.end());
+    expect_same(std::string(alone.begin(), alone.end()), 2);
+  }
+}
+
 TEST(ReadNumberRows, StopsAtWhatIsNoPlainRow) {
   for (const char* odd : {"nan",
                           "-nan",

@@ -100,7 +100,7 @@ TEST(ReadNumberList, NumbersOfManyDigitsAreWhatTheLibraryMakesOfThem) {
     text += (i > 0 ? ", " : "") + number;
   }
   text += " ]";
-  std::vector<double> found;
+  Array<double> found;
   const NumberList list = read_number_list(text.data(), text.data() + text.size(), found);
   EXPECT_EQ(list.count, expected.size());
   EXPECT_EQ(*list.next, ']');
@@ -111,7 +111,7 @@ TEST(ReadNumberList, NumbersOfManyDigitsAreWhatTheLibraryMakesOfThem) {
 }
 
 TEST(ReadNumberList, TellsOfLineEndsAndCommas) {
-  std::vector<double> out;
+  Array<double> out;
   const std::string text = "1, 2,\r\n 3 , ]";
   const NumberList list = read_number_list(text.data(), text.data() + text.size(), out);
   EXPECT_EQ(list.count, 3u);

@@ -175,7 +175,8 @@ TEST(TemplateRows, ATemplateIsMadeOfARow) {
   const auto row = text::template_of_row("  - [ 1, -2.5e3, [ nan, 4 ] ] # x\n", 3);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->num_columns(), 3u);
-  EXPECT_EQ(row->gaps()[2].num_ends, 1u);  // nan is a word
+  EXPECT_EQ(row->end_places(), (std::vector<std::uint32_t>{1, 2, 4}));  // nan is a word
+  EXPECT_EQ(row->num_ends(), 7u);
   EXPECT_FALSE(text::template_of_row("1,2,3\n", 2));
   EXPECT_FALSE(text::template_of_row("", 1));
 }

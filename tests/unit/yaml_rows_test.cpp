@@ -39,8 +39,8 @@ YamlRows rows_of(std::string_view text) {
     if (event.kind == text::yaml::EventKind::StreamEnd) found.is_good = true;
     if (found.is_good) break;
     if (event.kind != text::yaml::EventKind::Row) continue;
-    found.shapes.push_back(rows.shape(event.row));
-    const auto values = rows.pop(event.row);
+    found.shapes.insert(found.shapes.end(), event.num_rows, rows.shape(event.row));
+    const auto values = rows.pop(event.row, event.num_rows);
     found.values.insert(found.values.end(), values.begin(), values.end());
   }
   EXPECT_TRUE(found.is_good) << text;
@@ -252,6 +252,31 @@ TEST(YamlRows, AndNodesStandInTheirOrderInATree) {
   EXPECT_EQ(root.rows->entries[3].text, "[4, 5]");
   EXPECT_EQ(root.rows->entries[4].node->kind, text::yaml::NodeKind::Mapping);
   EXPECT_EQ(root.size, 1u + 1 + 3 + 3 + 3 + 3);
+}
+
+/// Many rows that are read at once, and others among them, have their own texts and numbers.
+TEST(YamlRows, KnowTheirTextsWhereManyAreReadAtOnce) {
+  std::string text = "frames:\r\n";
+  std::vector<std::string> rows;
+  for (int i = 0; i < 20'000; ++i) {
+    rows.push_back(i % 7000 == 6999 ? fmt::format("[{},  0 ]", i) : fmt::format("[ {}, 0.5 ]", i));
+    text += "  - " + rows.back() + "\r\n";
+  }
+  text += "end: [";
+  const text::Source source("t.yaml", text);
+  Diagnostics diagnostics;
+  EXPECT_EQ(text::yaml::read_tree(source, diagnostics), nullptr);
+  EXPECT_EQ(diagnostics.first_error().place.line, 20'002u);
+  text.back() = '0';
+  const auto tree = text::yaml::read_tree(source, diagnostics);
+  ASSERT_NE(tree, nullptr);
+  const Node* const frames = text::yaml::find(tree->root(), "frames");
+  ASSERT_EQ(frames->rows->entries.size(), rows.size());
+  ASSERT_EQ(frames->rows->values.size(), 2 * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(frames->rows->entries[i].text, rows[i]);
+    ASSERT_EQ(frames->rows->values[2 * i], static_cast<double>(i));
+  }
 }
 
 TEST(YamlRows, OfAnAliasAreThereForEveryUse) {

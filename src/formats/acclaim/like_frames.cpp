@@ -21,23 +21,18 @@ bool is_number_at(const char* at, const char* end, std::int64_t number) {
          simd::is_separator(at[size]);
 }
 
-/// Puts the values of a frame where they belong.
-void place_values(const LikeFrames& like, const double* numbers, double* row) {
-  for (const std::size_t column : like.columns) row[column] = *numbers++;
-}
-
 }  // namespace
 
 std::optional<LikeFrames> like_frames(std::string_view first_frame,
-                                      std::vector<std::size_t> columns) {
+                                      std::span<const std::size_t> columns) {
   auto frame = text::template_of_row(first_frame, columns.size() + 1);
   if (!frame) return std::nullopt;
-  return LikeFrames{std::move(*frame), std::move(columns)};
+  return LikeFrames{std::move(*frame), column_runs(columns), columns.size()};
 }
 
 ReadFrames read_like_frames(const LikeFrames& like, const char* begin, const char* end,
                             std::int64_t number, Array<double>& values) {
-  const std::size_t num_columns = like.columns.size();
+  const std::size_t num_columns = like.num_columns;
   const std::size_t most = kSomeNumbers / (num_columns + 1) + 1;
   Array<double> numbers(most * (num_columns + 1));
   std::vector<const char*> places(most);
@@ -52,7 +47,7 @@ ReadFrames read_like_frames(const LikeFrames& like, const char* begin, const cha
     }
     double* row = values.grow(count * num_columns).data();
     for (std::size_t i = 0; i < count; ++i, row += num_columns) {
-      place_values(like, numbers.data() + i * (num_columns + 1) + 1, row);
+      put_in_columns(like.columns, numbers.data() + i * (num_columns + 1) + 1, row);
     }
     read.num_frames += count;
     number += static_cast<std::int64_t>(count);

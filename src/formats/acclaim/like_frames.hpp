@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "formats/column_runs.hpp"
 #include "kinefile/array.hpp"
 #include "simd/template_rows.hpp"
 
@@ -15,14 +17,15 @@ namespace kinefile::acclaim {
 /// Frames of an AMC file whose text is that of its first frame but for the numbers.
 struct LikeFrames {
   simd::RowTemplate frame;
-  std::vector<std::size_t> columns;  ///< of each value, in the order of the file
+  std::vector<ColumnRun> columns;  ///< of its values, in the order of the file
+  std::size_t num_columns = 0;
 };
 
 /// \param first_frame  the text from its number up to the number of the next frame
 /// \param columns      of its values, in the order of the file
 /// \returns            empty if the text has other numbers beside these
 std::optional<LikeFrames> like_frames(std::string_view first_frame,
-                                      std::vector<std::size_t> columns);
+                                      std::span<const std::size_t> columns);
 
 struct ReadFrames {
   std::size_t num_frames = 0;

@@ -327,7 +327,7 @@ void learn_frames(Body& body) {
   }
   if (columns.size() != body.num_columns) return;
   const auto size = static_cast<std::size_t>(body.number_at - body.first_number_at);
-  body.like = like_frames({body.first_number_at, size}, std::move(columns));
+  body.like = like_frames({body.first_number_at, size}, columns);
 }
 
 /// Reads frames that are like the first one, many at once, from the number of the current one on.

@@ -135,9 +135,12 @@ class FrameReader {
   }
 
   bool all_fit(const RowEntries& rows) const {
-    return std::all_of(rows.entries.begin(), rows.entries.end(), [this](const auto& entry) {
-      return entry.node == nullptr && reader_.tree.shape(entry.shape) == shape_;
-    });
+    const std::uint32_t shape = rows.entries.front().shape;
+    return std::all_of(rows.entries.begin(), rows.entries.end(),
+                       [shape](const auto& entry) {
+                         return entry.node == nullptr && entry.shape == shape;
+                       }) &&
+           reader_.tree.shape(shape) == shape_;
   }
 
   void read_row(const RowEntries::Entry& entry, std::span<const double> values) {

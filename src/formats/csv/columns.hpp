@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "formats/column_runs.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/format.hpp"
 #include "text/csv_fields.hpp"
@@ -33,9 +33,6 @@ struct TableReader {
   }
 };
 
-/// No column: the table does not have this value, so it is at rest or follows another value.
-inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
-
 /// A part without a column whose joint follows another's (see `following_columns`).
 struct FollowingPart {
   std::size_t part = 0;
@@ -47,7 +44,7 @@ struct FollowingPart {
 struct Group {
   ComponentKind kind = ComponentKind::Values;
   std::string content;
-  std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is 0, or follows
+  std::vector<std::size_t> columns;  ///< `kNoColumn`: the value is at rest, or follows
   std::vector<std::string> names;    ///< of joints and links, one per part
   std::vector<FollowingPart> following = {};
   PoseForm pose_form = PoseForm::Quaternion;

@@ -22,7 +22,7 @@ namespace {
 /// Reads a number; false after an error.
 /// \param is_time  whether it is the time of its row, which is checked with the other times
 bool parse_value(const TableReader& reader, text::CsvFields& fields, bool is_time,
-                 Array<double>& values) {
+                 std::vector<double>& values) {
   const char* const at = fields.position();
   const auto plain = fields.take_plain();
   const text::CsvField in_quotes = plain ? text::CsvField{} : fields.take_field();
@@ -45,20 +45,22 @@ bool parse_value(const TableReader& reader, text::CsvFields& fields, bool is_tim
 }
 
 /// Reads one row, or an empty line; false after an error.
-bool parse_row(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
+/// \param values  reused from row to row
+bool parse_row(const TableReader& reader, text::CsvFields& fields, std::vector<double>& values,
+               TableRows& rows) {
   const char* const start = fields.position();
   if (fields.take_line_end()) return true;
-  std::size_t count = 0;
+  values.clear();
   do {
-    if (!parse_value(reader, fields, count == 0, rows.values)) return false;
-    ++count;
+    if (!parse_value(reader, fields, values.empty(), values)) return false;
   } while (fields.take_comma());
-  if (count != rows.num_columns) {
-    reader.error("CSV005", fmt::format("expected {} fields, found {}", rows.num_columns, count),
+  if (values.size() != rows.num_columns) {
+    reader.error("CSV005",
+                 fmt::format("expected {} fields, found {}", rows.num_columns, values.size()),
                  start);
     return false;
   }
-  rows.starts.push_back(start);
+  rows.append(values, start);
   fields.take_line_end();
   return true;
 }
@@ -67,9 +69,10 @@ bool parse_row(const TableReader& reader, text::CsvFields& fields, TableRows& ro
 bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
   std::optional<simd::RowTemplate> plain;
   text::Attempts attempts;
+  std::vector<double> values;
   while (!fields.is_at_end()) {
     if (!simd::kReadsTemplateRows || rows.starts.empty() || !attempts.is_due()) {
-      if (!parse_row(reader, fields, rows)) return false;
+      if (!parse_row(reader, fields, values, rows)) return false;
       continue;
     }
     const char* const begin = fields.position();
@@ -85,7 +88,9 @@ bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& r
   return true;
 }
 
-Component component_of(const Group& group, const Timeline& timeline, const TableRows& rows) {
+/// \param values  of the group's columns
+Component component_of(const Group& group, const Timeline& timeline, std::size_t num_frames,
+                       Array<double> values) {
   Component component;
   component.kind = group.kind;
   component.content = group.content;
@@ -97,18 +102,13 @@ Component component_of(const Group& group, const Timeline& timeline, const Table
   if (component.is_root_relative) {
     component.content.resize(component.content.size() - kRootRelativeSuffix.size());
   }
-  component.num_frames = rows.starts.size();
+  component.num_frames = num_frames;
   component.timeline = timeline;
-  component.values.resize(component.num_frames * component.row_size());
-  const Rows values = component.mutate();
-  for (std::size_t f = 0; f < component.num_frames; ++f) {
-    const double* const from = rows.values.data() + f * rows.num_columns;
-    double* to = values.values.data() + f * values.width;
-    for (const std::size_t column : group.columns) *to++ = column == kNoColumn ? 0.0 : from[column];
-  }
+  component.values = std::move(values);
+  const Rows frames = component.mutate();
   for (const FollowingPart& one : group.following) {
     for (std::size_t f = 0; f < component.num_frames; ++f) {
-      values[f][one.part] = value_of(one.dof, values[f][one.leader]);
+      frames[f][one.part] = value_of(one.dof, frames[f][one.leader]);
     }
   }
   return component;
@@ -134,14 +134,16 @@ std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& 
   const std::vector<Group> groups = parse_header(reader, header);
   TableRows rows;
   rows.num_columns = header.size();
+  for (const Group& group : groups) rows.add_part(group.columns);
   if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
   const auto timeline =
       timeline_of_rows(reader.source, rows, reader.options.fps,
                        {"CSV006", "CSV007", "CSV016", "CSV021", "CSV022"}, reader.diagnostics);
   if (!timeline) return std::nullopt;
   BodyMotion motion;
-  for (const Group& group : groups) {
-    motion.components.push_back(component_of(group, *timeline, rows));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    motion.components.push_back(
+        component_of(groups[i], *timeline, rows.starts.size(), std::move(rows.parts[i].values)));
     check_quaternions(reader, motion.components.back(), rows);
   }
   return motion;

@@ -108,10 +108,7 @@ class SetReader {
   }
 
   static void copy_all(Component& component, const Table& table) {
-    component.values.reserve(table.num_frames() * table.num_values());
-    for (std::size_t f = 0; f < table.num_frames(); ++f) {
-      component.values.append({table.row(f), table.num_values()});
-    }
+    component.values = table.values();
   }
 
   /// Adds the root's pose from .waist, from .hip, or from both.
@@ -162,10 +159,9 @@ class SetReader {
   static bool have_same_times(const Table& a, const Table& b) {
     if (a.num_frames() != b.num_frames()) return false;
     const std::size_t last = a.num_frames() - 1;
-    const double period =
-        last > 0 ? (a.row(last)[-1] - a.row(0)[-1]) / static_cast<double>(last) : 1;
+    const double period = last > 0 ? (a.time(last) - a.time(0)) / static_cast<double>(last) : 1;
     for (std::size_t f = 0; f <= last; ++f) {
-      if (!(std::abs(a.row(f)[-1] - b.row(f)[-1]) <= 1e-3 * period)) return false;
+      if (!(std::abs(a.time(f) - b.time(f)) <= 1e-3 * period)) return false;
     }
     return true;
   }

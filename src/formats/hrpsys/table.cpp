@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "formats/hrpsys/codes.hpp"
+#include "text/attempts.hpp"
 #include "text/numbers.hpp"
 #include "text/scanner.hpp"
 
@@ -25,14 +27,14 @@ struct TableParser {
     text::report(source, diagnostics, Severity::Error, code, std::move(message), at);
   }
 
-  /// Appends the numbers of a line.
+  /// Reads the numbers of a line.
   /// \returns the start of the next line; null after an error
-  const char* parse_row(const char* p, Array<double>& values) {
+  const char* parse_row(const char* p, std::vector<double>& values) {
     std::array<double, kPiece> piece;
-    const std::size_t time = values.size();  // which is checked with the other times
+    values.clear();
     while (true) {
       const text::NumberRow row = text::read_number_row(p, source.end(), piece.data(), kPiece);
-      values.append({piece.data(), row.count});
+      values.insert(values.end(), piece.begin(), piece.begin() + row.count);
       p = row.next;
       if (row.end == text::RowEnd::EndOfLine) return p;
       if (row.end == text::RowEnd::Full) continue;
@@ -44,7 +46,8 @@ struct TableParser {
               p);
         return nullptr;
       }
-      if (!std::isfinite(number.value) && values.size() != time) {
+      // The time is checked with the other times.
+      if (!std::isfinite(number.value) && !values.empty()) {
         text::report(source, diagnostics, Severity::Warning, code::kNotFinite,
                      fmt::format("expected a finite number, found {}", text::quoted(token)),
                      token.data());
@@ -54,9 +57,25 @@ struct TableParser {
     }
   }
 
+  /// Makes one part of all columns but the time's.
+  static void start_rows(std::size_t num_columns, TableRows& rows) {
+    rows.num_columns = num_columns;
+    std::vector<std::size_t> columns(num_columns - 1);
+    std::iota(columns.begin(), columns.end(), 1);
+    rows.add_part(columns);
+  }
+
   bool parse_rows(TableRows& rows) {
     const char* p = source.text().data();
+    std::vector<double> values;
+    text::Attempts attempts;
     while (p != source.end()) {
+      if (simd::kReadsTemplateRows && !rows.starts.empty() && attempts.is_due()) {
+        const char* const next = append_number_rows(p, source.end(), rows);
+        attempts.made(next != p);
+        p = next;
+        continue;
+      }
       const char* const start = p;
       const char* const first = std::find_if_not(p, source.end(), text::is_blank);
       if (first != source.end() && *first == '#') {
@@ -64,12 +83,11 @@ struct TableParser {
         p += p != source.end();
         continue;
       }
-      const std::size_t num_before = rows.values.size();
-      p = parse_row(p, rows.values);
+      p = parse_row(p, values);
       if (p == nullptr) return false;
-      const std::size_t count = rows.values.size() - num_before;
+      const std::size_t count = values.size();
       if (count == 0) continue;  // an empty line
-      if (rows.starts.empty()) rows.num_columns = count;
+      if (rows.starts.empty()) start_rows(count, rows);
       if (count != rows.num_columns || count < 2) {
         error(code::kOtherColumns,
               rows.starts.empty()
@@ -79,7 +97,7 @@ struct TableParser {
               start);
         return false;
       }
-      rows.starts.push_back(start);
+      rows.append(values, start);
     }
     if (rows.starts.empty()) {
       error(code::kNoRows, "expected rows of a time and numbers, found none", source.end());

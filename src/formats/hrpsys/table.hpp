@@ -20,9 +20,10 @@ struct Table {
   std::size_t num_frames() const { return rows.starts.size(); }
   /// The number of values in a row after its time, which comes first.
   std::size_t num_values() const { return rows.num_columns - 1; }
-  const double* row(std::size_t frame) const {
-    return rows.values.data() + frame * rows.num_columns + 1;
-  }
+  double time(std::size_t frame) const { return rows.times[frame]; }
+  /// All values, row after row.
+  const Array<double>& values() const { return rows.parts[0].values; }
+  const double* row(std::size_t frame) const { return values().data() + frame * num_values(); }
 };
 
 /// Reads one file. Lines that start with # are skipped. Empty after an error, which is then in

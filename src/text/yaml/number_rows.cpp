@@ -70,17 +70,18 @@ MoreLines more_lines(const char* begin, const char* end) {
 
 }  // namespace
 
-bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
+bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape, std::size_t& num_rows) {
   if (num_popped_ == values_.size()) {
     values_.clear();
     num_popped_ = 0;
   }
-  if (simd::kReadsTemplateRows && !is_in_flow && ahead_.has_row_at(cursor.position())) {
-    take_ahead(cursor, shape);
+  const char* const begin = cursor.position();
+  if (simd::kReadsTemplateRows && !is_in_flow && like_.next == begin &&
+      take_like_rows(cursor, shape, num_rows)) {
     return true;
   }
+  num_rows = 1;
   const std::size_t num_before = values_.size();
-  const char* const begin = cursor.position();
   const char* const end = read_groups(begin, cursor.end());
   if (end != nullptr && is_alone(end, cursor.end(), is_in_flow)) {
     const MoreLines lines = has_break_ ? more_lines(cursor.position(), end) : MoreLines{};
@@ -88,7 +89,7 @@ bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
     if (shape < kMostShapes && !lines.may_be_indented_by_tabs) {
       cursor.jump(end, lines.count, lines.last);
       if (simd::kReadsTemplateRows && !is_in_flow && !has_break_)
-        look_ahead(begin, end, cursor.end(), shape);
+        learn_row(begin, end, cursor.end(), shape);
       return true;
     }
   }
@@ -96,45 +97,44 @@ bool NumberRows::take(Cursor& cursor, bool is_in_flow, std::size_t& shape) {
   return false;
 }
 
-/// Takes the next of the rows that were read ahead.
-void NumberRows::take_ahead(Cursor& cursor, std::size_t& shape) {
-  const double* const row = ahead_.values.data() + ahead_.num_taken * num_values_[ahead_.shape];
-  values_.insert(values_.end(), row, row + num_values_[ahead_.shape]);
-  ++ahead_.num_taken;
-  cursor.jump(ahead_.begins[ahead_.num_taken] - ahead_.tail, 0, nullptr);
-  shape = last_shape_ = ahead_.shape;
-}
-
-/// Reads the rows behind one, many at once, if they are like it.
-void NumberRows::look_ahead(const char* begin, const char* row_end, const char* end,
-                            std::size_t shape) {
+/// Learns from a row what the next ones may be like.
+void NumberRows::learn_row(const char* begin, const char* row_end, const char* end,
+                           std::size_t shape) {
   if (!attempts_.is_due()) return;
-  attempts_.made(find_rows_ahead(begin, row_end, end, shape));
-}
-
-bool NumberRows::find_rows_ahead(const char* begin, const char* row_end, const char* end,
-                                 std::size_t shape) {
-  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
+  attempts_.made(false);
   const char* const next = next_row(row_end, end);
-  if (next == nullptr) return false;
-  const auto row =
-      template_of_row({begin, static_cast<std::size_t>(next - begin)}, num_values_[shape]);
-  if (!row || row->num_columns() == 0) return false;
-  const std::size_t most = kSomeNumbers / row->num_columns() + 1;
-  ahead_ = {std::move(*row), static_cast<std::size_t>(next - row_end), shape, {}, {}, 0};
-  ahead_.values.resize(most * num_values_[shape]);
-  ahead_.begins.resize(most + 1);
-  const simd::NumberRows read = simd::read_template_rows(
-      next, end, ahead_.row, most, ahead_.values.data(), ahead_.begins.data());
-  ahead_.begins.resize(read.num_rows + 1);
-  ahead_.begins.back() = read.next;
-  return read.num_rows > 0;
+  if (next == nullptr) return;
+  auto row = template_of_row({begin, static_cast<std::size_t>(next - begin)}, num_values_[shape]);
+  if (!row || row->num_columns() == 0) return;
+  const auto tail = static_cast<std::size_t>(next - row_end);
+  like_ = {std::move(*row), tail, tail - (*row_end == '\r' ? 2 : 1), shape, next};
 }
 
-std::span<const double> NumberRows::pop(std::size_t shape) {
-  const std::span<const double> row(values_.data() + num_popped_, num_values_[shape]);
-  num_popped_ += row.size();
-  return row;
+/// Takes rows that are like one before them, many at once; whether there are any.
+bool NumberRows::take_like_rows(Cursor& cursor, std::size_t& shape, std::size_t& num_rows) {
+  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
+  const std::size_t num_columns = like_.row.num_columns();
+  const std::size_t most = kSomeNumbers / num_columns + 1;
+  const std::size_t num_before = values_.size();
+  if (begins_.size() < most + 1) begins_.resize(most + 1);
+  double* const out = values_.grow(most * num_columns).data();
+  const simd::NumberRows read = simd::read_template_rows(cursor.position(), cursor.end(), like_.row,
+                                                         most, out, begins_.data());
+  num_rows = read.num_rows;
+  values_.resize(num_before + num_rows * num_columns);
+  begins_[num_rows] = read.next;
+  like_.next = num_rows == most ? read.next : nullptr;
+  if (num_rows == 0) return false;
+  attempts_.made(true);
+  cursor.jump(read.next - like_.tail, num_rows - 1, begins_[num_rows - 1] - like_.indent);
+  shape = last_shape_ = like_.shape;
+  return true;
+}
+
+std::span<const double> NumberRows::pop(std::size_t shape, std::size_t num_rows) {
+  const std::span<const double> rows(values_.data() + num_popped_, num_rows * num_values_[shape]);
+  num_popped_ += rows.size();
+  return rows;
 }
 
 /// Reads a row from its bracket on, and its shape; returns the place after its end, or null.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "kinefile/array.hpp"
 #include "simd/template_rows.hpp"
 #include "text/attempts.hpp"
 #include "text/yaml/characters.hpp"
@@ -23,44 +24,46 @@ inline constexpr std::int32_t kEmptyGroup = std::numeric_limits<std::int32_t>::m
 /// sequences of numbers, on one or several lines.
 class NumberRows {
  public:
-  /// Consumes a row. False if there is none, or if it may be something more (for example a key);
-  /// then nothing has changed, and the text must be read like any other.
+  /// Consumes a row; or several of one shape that are entries of a block sequence, a line each,
+  /// and like the row before them but for their numbers. False if there is none, or if it may be
+  /// something more (for example a key); then nothing has changed, and the text must be read like
+  /// any other.
   /// \param is_in_flow  whether the row is in a flow sequence
-  /// \param shape       out: the index of the row's shape
-  bool take(Cursor& cursor, bool is_in_flow, std::size_t& shape);
+  /// \param shape       out: the index of the rows' shape
+  /// \param num_rows    out: how many
+  bool take(Cursor& cursor, bool is_in_flow, std::size_t& shape, std::size_t& num_rows);
 
-  /// The numbers of the first row that was read and not popped yet; valid until `take`.
-  std::span<const double> pop(std::size_t shape);
+  /// The numbers of the first rows that were read and not popped yet; valid until `take`.
+  std::span<const double> pop(std::size_t shape, std::size_t num_rows = 1);
+
+  /// The text of one of several rows that were taken last.
+  std::string_view text(std::size_t row) const {
+    return {begins_[row], static_cast<std::size_t>(begins_[row + 1] - begins_[row]) - like_.tail};
+  }
 
   const RowShape& shape(std::size_t index) const { return shapes_[index]; }
   /// How many numbers a row of a shape has.
   std::size_t num_values(std::size_t index) const { return num_values_[index]; }
 
  private:
-  /// Rows that were read before they are taken: entries of a block sequence, a line each, that are
-  /// like the row before them but for their numbers.
-  struct Ahead {
-    simd::RowTemplate row;  ///< from a row's bracket to that of the next one
-    std::size_t tail = 0;   ///< bytes between a row and the next one
+  /// What rows may be like.
+  struct LikeRows {
+    simd::RowTemplate row;   ///< from a row's bracket to that of the next one
+    std::size_t tail = 0;    ///< bytes between a row and the next one
+    std::size_t indent = 0;  ///< of these, the bytes in the line of the next one
     std::size_t shape = 0;
-    std::vector<double> values;
-    std::vector<const char*> begins;  ///< of the rows, and of what follows them
-    std::size_t num_taken = 0;
-
-    bool has_row_at(const char* p) const {
-      return num_taken + 1 < begins.size() && begins[num_taken] == p;
-    }
+    const char* next = nullptr;  ///< where such a row may be
   };
 
   const char* read_groups(const char* p, const char* end);
   std::size_t index_of_shape();
-  void look_ahead(const char* begin, const char* row_end, const char* end, std::size_t shape);
-  bool find_rows_ahead(const char* begin, const char* row_end, const char* end, std::size_t shape);
-  void take_ahead(Cursor& cursor, std::size_t& shape);
+  void learn_row(const char* begin, const char* row_end, const char* end, std::size_t shape);
+  bool take_like_rows(Cursor& cursor, std::size_t& shape, std::size_t& num_rows);
 
-  Ahead ahead_;
-  Attempts attempts_;           ///< to find rows ahead
-  std::vector<double> values_;  ///< of rows that were read and not popped
+  LikeRows like_;
+  Attempts attempts_;                ///< to read rows that are like one
+  std::vector<const char*> begins_;  ///< of rows that were taken at once, and of what follows them
+  Array<double> values_;             ///< of rows that were read and not popped
   std::size_t num_popped_ = 0;
   std::vector<RowShape> shapes_;
   std::vector<std::size_t> num_values_;  ///< of a row of each shape

@@ -249,6 +249,7 @@ bool Parser::parse_content(Event& event, bool is_block, bool has_properties) {
       event.kind = EventKind::Row;
       event.is_flow = true;
       event.row = token->row;
+      event.num_rows = token->num_rows;
       event.value = token->value;
       scanner_.pop();
       pop();

@@ -20,7 +20,7 @@ enum class EventKind {
   MappingEnd,
   Scalar,
   Alias,
-  Row,  ///< a sequence of numbers, and of sequences of numbers, as a whole
+  Row,  ///< a sequence of numbers, and of sequences of numbers, as a whole; or several
   StreamEnd,
 };
 
@@ -30,11 +30,12 @@ struct Event {
   const char* at = nullptr;
   std::string_view anchor;  ///< without its sign; for an alias, the anchor that it names
   std::string_view tag;     ///< resolved; empty if there is none
-  std::string_view value;   ///< of a scalar; of a row, its text
+  std::string_view value;   ///< of a scalar; of rows, their text
   ScalarStyle style = ScalarStyle::Plain;
   bool is_flow = false;      ///< of a sequence or mapping
   bool is_implicit = false;  ///< of a document's start or end; of a scalar: it is omitted
   std::size_t row = 0;       ///< of a row: its shape
+  std::size_t num_rows = 1;  ///< of that shape, consecutive entries of a sequence
 };
 
 /// The largest depth of nested sequences and mappings. Every level needs stack in readers.

@@ -338,7 +338,7 @@ bool Scanner::fetch_value() {
   return true;
 }
 
-/// Consumes a row of numbers as a whole where an entry of a sequence may be one.
+/// Consumes rows of numbers as a whole where an entry of a sequence may be one.
 bool Scanner::fetch_row() {
   const bool is_in_flow = candidates_.size() > 1;
   const bool starts_entry =
@@ -348,7 +348,7 @@ bool Scanner::fetch_row() {
                        indent_ < static_cast<std::ptrdiff_t>(cursor_.column());
   if (rows_ == nullptr || !starts_entry) return false;
   Token token{TokenKind::Row, cursor_.position(), {}, {}};
-  if (!rows_->take(cursor_, is_in_flow, token.row)) return false;
+  if (!rows_->take(cursor_, is_in_flow, token.row, token.num_rows)) return false;
   token.value = {token.at, static_cast<std::size_t>(cursor_.position() - token.at)};
   allows_key_ = false;
   tokens_.push_back(token);

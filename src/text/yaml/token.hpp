@@ -29,7 +29,7 @@ enum class TokenKind {
   Anchor,
   Tag,
   Scalar,
-  Row,  ///< a flow sequence of plain numbers as a whole
+  Row,  ///< flow sequences of plain numbers as a whole, one or several
 };
 
 /// A token of YAML's grammar (YAML 1.1, chapters 4 and 5).
@@ -39,7 +39,8 @@ struct Token {
   std::string_view value;    ///< of a scalar; name of an anchor or alias; handle of a tag
   std::string_view suffix;   ///< of a tag; prefix of a tag directive
   ScalarStyle style = ScalarStyle::Plain;
-  std::size_t row = 0;  ///< of a row: its shape, see NumberRows
+  std::size_t row = 0;       ///< of a row: its shape, see NumberRows
+  std::size_t num_rows = 1;  ///< of that shape, in consecutive entries of a sequence
 };
 
 }  // namespace kinefile::text::yaml

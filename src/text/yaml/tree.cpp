@@ -181,10 +181,15 @@ class TreeBuilder {
   void add_row(const Event& event) {
     Node& parent = *open_.back();
     if (!parent.rows) start_rows(parent, event);
-    const auto values = tree_.rows_.pop(event.row);
+    const auto values = tree_.rows_.pop(event.row, event.num_rows);
     parent.rows->values.append(values);
-    parent.rows->entries.push_back({event.value, static_cast<std::uint32_t>(event.row), nullptr});
-    parent.size = added(parent.size, 1 + values.size());
+    const auto shape = static_cast<std::uint32_t>(event.row);
+    for (std::size_t i = 0; i < event.num_rows; ++i) {
+      const bool is_alone = event.num_rows == 1;
+      parent.rows->entries.push_back(
+          {is_alone ? event.value : tree_.rows_.text(i), shape, nullptr});
+    }
+    parent.size = added(parent.size, event.num_rows + values.size());
   }
 
   void start_rows(Node& sequence, const Event& event) {
@@ -197,7 +202,7 @@ class TreeBuilder {
     // Unused memory is not committed; but a text of many lists would reserve for each of them what
     // the rest of the text may contain, so all together have a limit.
     const auto num_bytes = static_cast<std::size_t>(source_.end() - event.at);
-    const std::size_t num_rows = num_bytes / (event.value.size() + kRowMargin) + 1;
+    const std::size_t num_rows = num_bytes / (event.value.size() / event.num_rows + kRowMargin) + 1;
     std::size_t num_values = 0;
     for (const std::int32_t group : tree_.rows_.shape(event.row)) {
       if (group != kEmptyGroup) num_values += static_cast<std::size_t>(std::abs(group));

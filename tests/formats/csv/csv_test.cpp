@@ -68,6 +68,37 @@ TEST(Csv, ReadsJointsLinksAndPoints) {
   EXPECT_EQ(components[0].num_frames, 2u);
 }
 
+TEST(Csv, ManyRowsAreReadAsFewAre) {
+  for (const std::string line_end : {"\n", "\r\n"}) {
+    std::string text =
+        "time,b.q,WAIST.x,WAIST.y,WAIST.z,WAIST.qw,WAIST.qx,WAIST.qy,WAIST.qz,a.q" + line_end;
+    std::vector<double> joints;
+    std::vector<double> poses;
+    constexpr int kRows = 9000;
+    for (int i = 0; i < kRows; ++i) {
+      const double b = -1.5 * i;
+      const double x = 1e-3 * i;
+      const bool is_odd = i % 1000 == 999;
+      text += fmt::format("{},{},{},2,3,1,0,0,0,", 0.002 * i,
+                          is_odd ? fmt::format("\"{}\"", b) : fmt::format("{}", b), x);
+      text += is_odd ? "+0.25" + line_end + line_end : "0.25" + line_end;
+      joints.insert(joints.end(), {b, 0.25});
+      poses.insert(poses.end(), {x, 2, 3, 1, 0, 0, 0});
+    }
+    const auto read = read_csv(text);
+    const auto& components = components_of(read);
+    ASSERT_EQ(components.size(), 2u);
+    EXPECT_EQ(components[0].num_frames, static_cast<std::size_t>(kRows));
+    EXPECT_EQ(components[0].values, joints);
+    EXPECT_EQ(components[1].values, poses);
+    EXPECT_EQ(components[0].timeline, (Timeline{FrameRate{500}, 0}));
+    // The odd rows have an empty line behind them.
+    const auto odd = read_csv(text + "18,1,2,3,x" + line_end);
+    EXPECT_EQ(odd.diagnostics.first_error().place.line, 2u + kRows + kRows / 1000);
+    EXPECT_EQ(odd.diagnostics.first_error().code, "CSV004");
+  }
+}
+
 TEST(Csv, LinksMayHaveRollPitchAndYaw) {
   const auto read = read_csv(
       "time,W.x,W.y,W.z,W.roll,W.pitch,W.yaw,NECK.yaw,V.X,V.y,V.z,V.roll,V.pitch,V.yaw\n"

@@ -76,6 +76,27 @@ TEST(Hrpsys, ReadsASetByAnyOfItsFiles) {
   }
 }
 
+TEST(Hrpsys, ManyRowsAreReadAsFewAre) {
+  std::string text;
+  std::vector<double> expected;
+  constexpr int kRows = 9000;
+  for (int i = 0; i < kRows; ++i) {
+    if (i % 700 == 699) text += "# a comment\n\n";
+    if (i % 500 == 499) text += "  ";
+    text += fmt::format("{:<8} {:10.6f} {}\t{:e}{}", 0.005 * i, 0.25 * i, -i, 0.125,
+                        i % 300 == 0 ? " \r\n" : "\n");
+    expected.insert(expected.end(), {0.25 * i, static_cast<double>(-i), 0.125});
+  }
+  const auto read = read_set({{"a.pos", text}});
+  const auto& components = components_of(read);
+  ASSERT_EQ(components.size(), 1u);
+  EXPECT_EQ(components[0].num_frames, static_cast<std::size_t>(kRows));
+  EXPECT_EQ(components[0].values, expected);
+  EXPECT_EQ(components[0].timeline, (Timeline{FrameRate{200}, 0}));
+  const auto odd = read_set({{"a.pos", text + "45 1 2\n"}});
+  EXPECT_EQ(odd.diagnostics.first_error().place.line, kRows + 1u + 2 * (kRows / 700));
+}
+
 TEST(Hrpsys, TheRootIsPositionsAndAnglesOrPositionsAndMatrices) {
   const auto apart =
       read_set({{"a.waist", "0 1 2 3\n1 4 5 6\n"}, {"a.hip", "0 0.1 0.2 0.3\n1 0.4 0.5 0.6\n"}});

@@ -53,7 +53,7 @@ int write_file(const Fk& fk, const Globals& globals, const FkTable& table, const
     return exit_code_of(file.error());
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  write_table(table, format, sink);
+  write_table(table, format, {}, sink);
   const auto committed = file->commit();
   if (committed) return kDone;
   print_error(committed.error(), globals);
@@ -114,7 +114,7 @@ Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
   if (!table) return fail(table.error());
   const auto sink = files.open(file.target);
   if (!sink) return fail(sink.error());
-  write_table(*table, *file.to, *sink);
+  write_table(*table, *file.to, {}, *sink);
   if (auto written = files.commit(); !written) return fail(std::move(written.error()));
   return std::vector<std::string>{file.target};
 }

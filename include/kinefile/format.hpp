@@ -127,6 +127,11 @@ struct Conventions {
 /// Consumes the next piece of the output; returns false to stop.
 using Sink = std::function<bool(std::string_view)>;
 
+/// Computes the poses of a table's frames (see `PoseTable`): calls `use` with one block of frames
+/// after the other, on the calling thread, until all were used or `use` returned false. Returns
+/// whether all were used. Called once.
+using PoseBlocks = std::function<bool(const std::function<bool(const PoseArrays&)>& use)>;
+
 /// Starts a file of a set, by the part of its name after the stem of the set: ".waist".
 using OpenPart = std::function<Result<Sink>(std::string_view extension)>;
 
@@ -176,11 +181,10 @@ struct Format {
   Result<void> (*write_set)(const Document&, const WriteOptions&, const OpenPart&,
                             Diagnostics&) = nullptr;
 
-  /// Writes the poses of some frames as a table (see `PoseTable`); null if the format has no form
-  /// for one. Returns false if the sink returned false.
-  /// \param is_first  whether they are the first ones, which a header precedes
-  bool (*write_poses)(const PoseTable&, const PoseArrays&, bool is_first, const Sink&) = nullptr;
-  bool poses_in_blocks = false;  ///< whether `write_poses` accepts a few frames at a time
+  /// Writes a table of poses (see `PoseTable`), without holding all of them where its order allows
+  /// that; null if the format has no form for one. Returns false if the sink returned false.
+  bool (*write_poses)(const PoseTable&, const PoseBlocks&, const WriteOptions&,
+                      const Sink&) = nullptr;
 
   bool takes_skeleton = false;  ///< whether reading uses `ReadOptions::skeleton`
 
@@ -200,6 +204,7 @@ struct Format {
   /// format takes (lenient) are in no table.
   std::span<const ReadOption> read_options = {};
   std::span<const WriteOption> write_options = {};
+  std::span<const WriteOption> pose_options = {};  ///< on `write_poses`
   Conventions conventions = {};
 };
 

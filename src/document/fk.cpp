@@ -39,13 +39,8 @@ Result<std::vector<std::size_t>> joints_named(const Skeleton& skeleton, const Fk
 }  // namespace
 
 PoseTable FkTable::view() const {
-  return {&placed.motion.skeleton,
-          &placed.motion.clip.timeline,
-          joints,
-          options.rotations,
-          options.directions,
-          options.tips,
-          length_scale};
+  return {&placed.motion.skeleton, &placed.motion.clip.timeline, frames,       joints,
+          options.rotations,       options.directions,           options.tips, length_scale};
 }
 
 Result<FkTable> fk(Placed placed, const FkOptions& options) {
@@ -92,20 +87,21 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
   return poses;
 }
 
-bool write_table(const FkTable& table, const Format& format, const Sink& sink) {
-  const PoseTable view = table.view();
-  const FrameRange& all = table.frames;
-  const std::size_t num_frames = all.num_frames();
-  const std::size_t block = format.poses_in_blocks ? frames_per_block(*view.skeleton) : num_frames;
-  if (num_frames == 0) return format.write_poses(view, poses_of(table, all), true, sink);
-  bool is_good = true;
-  for (std::size_t done = 0; is_good && done < num_frames; done += block) {
-    FrameRange part = all;
-    part.begin = all.begin + done * all.step;
-    part.end = part.begin + (std::min(block, num_frames - done) - 1) * all.step + 1;
-    is_good = format.write_poses(view, poses_of(table, part), done == 0, sink);
-  }
-  return is_good;
+bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
+                 const Sink& sink) {
+  const PoseBlocks blocks = [&table](const std::function<bool(const PoseArrays&)>& use) {
+    const FrameRange& all = table.frames;
+    const std::size_t num_frames = all.num_frames();
+    const std::size_t block = frames_per_block(table.placed.motion.skeleton);
+    for (std::size_t done = 0; done < num_frames; done += block) {
+      FrameRange part = all;
+      part.begin = all.begin + done * all.step;
+      part.end = part.begin + (std::min(block, num_frames - done) - 1) * all.step + 1;
+      if (!use(poses_of(table, part))) return false;
+    }
+    return true;
+  };
+  return format.write_poses(table.view(), blocks, options, sink);
 }
 
 Result<std::vector<robot::LinkDeviation>> compare_links(const Document& document,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,33 @@ inline std::vector<PoseRow> pose_rows(const PoseTable& table) {
 inline const double* point_of(const PoseArrays& poses, std::size_t frame, const PoseRow& row) {
   return row.is_tip ? &poses.tips[(frame * poses.num_tips + row.point) * 3]
                     : &poses.positions[(frame * poses.num_joints + row.point) * 3];
+}
+
+/// Appends the points of some frames, [frame][line][3], in the table's unit of length.
+template <class T>
+void append_points(const PoseTable& table, const std::vector<PoseRow>& rows,
+                   const PoseArrays& poses, std::vector<T>& out) {
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    for (const PoseRow& row : rows) {
+      const double* const point = point_of(poses, f, row);
+      for (std::size_t k = 0; k < 3; ++k) {
+        out.push_back(static_cast<T>(point[k] * table.length_scale));
+      }
+    }
+  }
+}
+
+/// Appends the numbers of an array of `poses` for the lines of some frames, [frame][line][width].
+/// \param array  [frame][joint][width]
+template <class T>
+void append_of_joints(const std::vector<PoseRow>& rows, const PoseArrays& poses,
+                      std::span<const double> array, std::size_t width, std::vector<T>& out) {
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    for (const PoseRow& row : rows) {
+      const auto numbers = array.subspan((f * poses.num_joints + row.joint) * width, width);
+      for (const double number : numbers) out.push_back(static_cast<T>(number));
+    }
+  }
 }
 
 }  // namespace kinefile::tables

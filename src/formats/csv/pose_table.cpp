@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "formats/csv/pose_table.hpp"
+
 #include "formats/pose_rows.hpp"
 #include "text/printer.hpp"
 
-namespace kinefile {
-bool write_pose_csv_header(const PoseTable& table, const Sink& sink) {
-  std::string header = "frame,time,joint,x,y,z";
-  if (table.rotations) header += ",qw,qx,qy,qz";
-  if (table.directions) header += ",ux,uy,uz";
-  return sink(header + "\n");
-}
+namespace kinefile::csv {
+namespace {
 
-bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink& sink) {
-  std::vector<tables::PoseRow> rows = tables::pose_rows(table);
-  for (tables::PoseRow& row : rows) row.label = text::csv_field(row.label);
-  text::Printer printer(sink);
+/// Prints the rows of some frames.
+/// \param rows  with labels as fields
+void print_poses(const PoseTable& table, const std::vector<tables::PoseRow>& rows,
+                 const PoseArrays& poses, text::Printer& printer) {
   std::vector<double> numbers;
   for (std::size_t f = 0; f < poses.num_frames; ++f) {
     const std::size_t frame = poses.first_frame + f * poses.frame_step;
@@ -36,7 +33,24 @@ bool write_pose_csv(const PoseTable& table, const PoseArrays& poses, const Sink&
       printer.print('\n');
     }
   }
-  return printer.finish();
 }
 
-}  // namespace kinefile
+}  // namespace
+
+bool write_poses(const PoseTable& table, const PoseBlocks& blocks, const kinefile::WriteOptions&,
+                 const Sink& sink) {
+  std::vector<tables::PoseRow> rows = tables::pose_rows(table);
+  for (tables::PoseRow& row : rows) row.label = text::csv_field(row.label);
+  text::Printer printer(sink);
+  printer.print("frame,time,joint,x,y,z");
+  if (table.rotations) printer.print(",qw,qx,qy,qz");
+  if (table.directions) printer.print(",ux,uy,uz");
+  printer.print('\n');
+  const bool is_whole = blocks([&](const PoseArrays& poses) {
+    print_poses(table, rows, poses, printer);
+    return printer.finish();
+  });
+  return printer.finish() && is_whole;
+}
+
+}  // namespace kinefile::csv

@@ -30,6 +30,7 @@ struct Fk {
   bool is_comparing = false;
   Many many;
   Reading reading;
+  WriteOptions format;  ///< set through the formats' tables of options for poses
 };
 
 FkOptions options_of(const Fk& fk) {
@@ -53,7 +54,7 @@ int write_file(const Fk& fk, const Globals& globals, const FkTable& table, const
     return exit_code_of(file.error());
   }
   const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  write_table(table, format, {}, sink);
+  write_table(table, format, fk.format, sink);
   const auto committed = file->commit();
   if (committed) return kDone;
   print_error(committed.error(), globals);
@@ -76,6 +77,17 @@ std::vector<std::string> pose_formats() {
     if (takes_poses(format)) names.emplace_back(format.name);
   }
   return names;
+}
+
+/// The extensions of these formats, for a sentence: ".csv or .json".
+std::string pose_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Format& format : formats()) {
+    if (takes_poses(format)) extensions.push_back(format.extensions.front());
+  }
+  const std::string_view last = extensions.back();
+  extensions.pop_back();
+  return fmt::format("{} or {}", fmt::join(extensions, ", "), last);
 }
 
 /// Prints how far kinematics and the recorded poses of links differ, one row per link.
@@ -114,7 +126,7 @@ Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
   if (!table) return fail(table.error());
   const auto sink = files.open(file.target);
   if (!sink) return fail(sink.error());
-  write_table(*table, *file.to, {}, *sink);
+  write_table(*table, *file.to, fk.format, *sink);
   if (auto written = files.commit(); !written) return fail(std::move(written.error()));
   return std::vector<std::string>{file.target};
 }
@@ -137,8 +149,8 @@ int run(const Fk& fk, const Globals& globals) {
   const Format* format = output_format(fk);
   if (format == nullptr) {
     return usage_error(globals, fmt::format("'{}' shows no format that poses are written in; "
-                                            "name it .csv or .json, or say --to",
-                                            fk.out));
+                                            "name it {}, or say --to",
+                                            fk.out, pose_extensions()));
   }
   int exit_code = kDone;
   const auto document = load(fk.file, fk.reading, globals, exit_code);
@@ -152,6 +164,10 @@ int run(const Fk& fk, const Globals& globals) {
   if (!placed) return print_failure(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
   if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
+  if (const auto effective = expect_pose_options_of(fk.reading, {&format, 1}); !effective) {
+    print_error(effective.error(), globals);
+    return kUsage;
+  }
   const auto table = kinefile::fk(std::move(*placed), options_of(fk));
   if (table) return write_file(fk, globals, *table, *format);
   print_error(table.error(), globals);
@@ -170,7 +186,9 @@ void add_fk(CLI::App& app, Globals& globals) {
     command->add_option("FILE", fk->file, "File to read; - is standard input")->required();
   }
   CLI::Option* out =
-      command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
+      command
+          ->add_option("-o,--out", fk->out,
+                       fmt::format("File to write, {}; else standard output", pose_extensions()))
           ->type_name("OUT");
   command->add_option("--to", fk->to, "Format of the output")
       ->check(CLI::IsMember(pose_formats()))
@@ -189,6 +207,8 @@ void add_fk(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"file", "m"}))
       ->default_str("file")
       ->type_name("UNIT");
+  for (const Format& format : formats()) add_flags(*command, format.pose_options, fk->format);
+  command->get_option("--float32")->excludes(command->get_option("--float64"));
   CLI::Option* compare =
       command->add_flag("--compare", fk->is_comparing,
                         "How far kinematics and the recorded poses of links differ at most, and in "

@@ -33,6 +33,7 @@
 #include "kinefile/marks.hpp"
 #include "kinefile/math.hpp"
 #include "kinefile/motion.hpp"
+#include "kinefile/npz.hpp"
 #include "kinefile/operation.hpp"
 #include "kinefile/option.hpp"
 #include "kinefile/place.hpp"

@@ -261,9 +261,11 @@ Result<void> write(const std::string& name, const Document& document, const Form
                    Diagnostics& diagnostics) {
   if (!is_written(format)) {
     const std::string writable = names_of_formats(is_written);
-    return fail(
-        ErrorKind::Usage, "FMT002",
-        fmt::format("{} is only read, not written; what is written: {}", format.name, writable));
+    const bool is_for_poses = format.write_poses != nullptr;
+    return fail(ErrorKind::Usage, "FMT002",
+                fmt::format("{} is {}; what is written: {}", format.name,
+                            is_for_poses ? "for poses, which fk writes" : "only read, not written",
+                            writable));
   }
   WriteOptions with_companion = options;
   Result<void> written;

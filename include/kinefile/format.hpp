@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/function_ref.hpp"
 #include "kinefile/option.hpp"
 #include "kinefile/result.hpp"
 
@@ -127,10 +128,13 @@ struct Conventions {
 /// Consumes the next piece of the output; returns false to stop.
 using Sink = std::function<bool(std::string_view)>;
 
+/// Uses the poses of some frames; returns false to stop.
+using UsePoses = FunctionRef<bool(const PoseArrays&)>;
+
 /// Computes the poses of a table's frames (see `PoseTable`): calls `use` with one block of frames
 /// after the other, on the calling thread, until all were used or `use` returned false. Returns
 /// whether all were used. Called once.
-using PoseBlocks = std::function<bool(const std::function<bool(const PoseArrays&)>& use)>;
+using PoseBlocks = FunctionRef<bool(UsePoses use)>;
 
 /// Starts a file of a set, by the part of its name after the stem of the set: ".waist".
 using OpenPart = std::function<Result<Sink>(std::string_view extension)>;
@@ -183,8 +187,7 @@ struct Format {
 
   /// Writes a table of poses (see `PoseTable`), without holding all of them where its order allows
   /// that; null if the format has no form for one. Returns false if the sink returned false.
-  bool (*write_poses)(const PoseTable&, const PoseBlocks&, const WriteOptions&,
-                      const Sink&) = nullptr;
+  bool (*write_poses)(const PoseTable&, PoseBlocks, const WriteOptions&, const Sink&) = nullptr;
 
   bool takes_skeleton = false;  ///< whether reading uses `ReadOptions::skeleton`
 

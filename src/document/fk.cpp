@@ -89,7 +89,7 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
 
 bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
                  const Sink& sink) {
-  const PoseBlocks blocks = [&table](const std::function<bool(const PoseArrays&)>& use) {
+  const auto blocks = [&table](UsePoses use) {
     const FrameRange& all = table.frames;
     const std::size_t num_frames = all.num_frames();
     const std::size_t block = frames_per_block(table.placed.motion.skeleton);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,11 +42,13 @@ inline const double* point_of(const PoseArrays& poses, std::size_t frame, const 
 template <class T>
 void append_points(const PoseTable& table, const std::vector<PoseRow>& rows,
                    const PoseArrays& poses, std::vector<T>& out) {
+  std::size_t at = out.size();
+  out.resize(at + poses.num_frames * rows.size() * 3);
   for (std::size_t f = 0; f < poses.num_frames; ++f) {
     for (const PoseRow& row : rows) {
       const double* const point = point_of(poses, f, row);
       for (std::size_t k = 0; k < 3; ++k) {
-        out.push_back(static_cast<T>(point[k] * table.length_scale));
+        out[at++] = static_cast<T>(point[k] * table.length_scale);
       }
     }
   }
@@ -57,11 +58,13 @@ void append_points(const PoseTable& table, const std::vector<PoseRow>& rows,
 /// \param array  [frame][joint][width]
 template <class T>
 void append_of_joints(const std::vector<PoseRow>& rows, const PoseArrays& poses,
-                      std::span<const double> array, std::size_t width, std::vector<T>& out) {
+                      const Array<double>& array, std::size_t width, std::vector<T>& out) {
+  std::size_t at = out.size();
+  out.resize(at + poses.num_frames * rows.size() * width);
   for (std::size_t f = 0; f < poses.num_frames; ++f) {
     for (const PoseRow& row : rows) {
-      const auto numbers = array.subspan((f * poses.num_joints + row.joint) * width, width);
-      for (const double number : numbers) out.push_back(static_cast<T>(number));
+      const double* const numbers = &array[(f * poses.num_joints + row.joint) * width];
+      for (std::size_t k = 0; k < width; ++k) out[at++] = static_cast<T>(numbers[k]);
     }
   }
 }

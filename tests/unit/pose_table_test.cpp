@@ -17,7 +17,7 @@ struct Table {
   /// What a format writes, a frame at a time.
   std::string written(const char* format) const {
     std::string text;
-    const PoseBlocks blocks = [this](const std::function<bool(const PoseArrays&)>& use) {
+    const auto blocks = [this](UsePoses use) {
       for (std::size_t f = spec.frames.begin; f < spec.frames.end; f += spec.frames.step) {
         if (!use(poses_of_frame(f))) return false;
       }
@@ -98,7 +98,7 @@ TEST(PoseTable, StopsWithTheSink) {
   const Table table;
   for (const char* const format : {"csv", "json"}) {
     std::size_t num_blocks = 0;
-    const PoseBlocks blocks = [&](const std::function<bool(const PoseArrays&)>& use) {
+    const auto blocks = [&](UsePoses use) {
       ++num_blocks;
       return use(table.poses_of_frame(0));
     };

@@ -37,7 +37,7 @@ void print_poses(const PoseTable& table, const std::vector<tables::PoseRow>& row
 
 }  // namespace
 
-bool write_poses(const PoseTable& table, const PoseBlocks& blocks, const kinefile::WriteOptions&,
+bool write_poses(const PoseTable& table, PoseBlocks blocks, const kinefile::WriteOptions&,
                  const Sink& sink) {
   std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   for (tables::PoseRow& row : rows) row.label = text::csv_field(row.label);

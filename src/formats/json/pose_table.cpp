@@ -42,8 +42,7 @@ void print_lines_and_times(text::Printer& printer, const PoseTable& table,
 
 }  // namespace
 
-bool write_poses(const PoseTable& table, const PoseBlocks& blocks, const WriteOptions&,
-                 const Sink& sink) {
+bool write_poses(const PoseTable& table, PoseBlocks blocks, const WriteOptions&, const Sink& sink) {
   const std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   text::Printer printer(sink, number_spelling(std::nullopt));
   print_lines_and_times(printer, table, rows);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "formats/npz/pose_table.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "formats/npz/npy.hpp"
 #include "formats/npz/zip.hpp"
@@ -72,7 +75,7 @@ bool is_as_written(const PoseTable& table, const std::vector<tables::PoseRow>& r
 /// waits for all of them, in the form that is written: computing the poses a second time would cost
 /// more than that memory, since the file may have to be read a second time for it.
 template <class T>
-bool write_numbers(const PoseTable& table, const PoseBlocks& blocks, const Sink& sink) {
+bool write_numbers(const PoseTable& table, PoseBlocks blocks, const Sink& sink) {
   const std::vector<tables::PoseRow> rows = tables::pose_rows(table);
   const std::size_t num_frames = table.frames.num_frames();
   ZipWriter zip(sink);
@@ -108,8 +111,8 @@ bool write_numbers(const PoseTable& table, const PoseBlocks& blocks, const Sink&
 
 }  // namespace
 
-bool write_poses(const PoseTable& table, const PoseBlocks& blocks,
-                 const kinefile::WriteOptions& options, const Sink& sink) {
+bool write_poses(const PoseTable& table, PoseBlocks blocks, const kinefile::WriteOptions& options,
+                 const Sink& sink) {
   const bool is_single = options.of_formats.get<WriteOptions>().precision == Precision::Single;
   return is_single ? write_numbers<float>(table, blocks, sink)
                    : write_numbers<double>(table, blocks, sink);

@@ -2,6 +2,7 @@
 // Measures kinefile against named baselines in the same run and prints the ratios.
 
 #include "batch.hpp"
+#include "checksum.hpp"
 #include "files.hpp"
 #include "keyframes.hpp"
 #include "kinefile/threads.hpp"
@@ -23,6 +24,7 @@ int run(int argc, char** argv) {
   add_files();
   add_printing();
   add_motions();
+  add_checksum();
   add_batch();
   const bool has_run = run_and_print(argc, argv);
   if (has_run) {

@@ -31,6 +31,7 @@ struct Fk {
   bool is_comparing = false;
   Many many;
   Reading reading;
+  WriteOptions format;  ///< set through the formats' tables of options for poses
 };
 
 FkOptions options_of(const Fk& fk) {
@@ -85,6 +86,17 @@ std::vector<std::string> pose_formats() {
   return names;
 }
 
+/// The extensions of these formats, for a sentence: ".csv or .json".
+std::string pose_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Format& format : formats()) {
+    if (takes_poses(format)) extensions.push_back(format.extensions.front());
+  }
+  const std::string_view last = extensions.back();
+  extensions.pop_back();
+  return fmt::format("{} or {}", fmt::join(extensions, ", "), last);
+}
+
 /// Prints how far kinematics and the recorded poses of links differ, one row per link.
 int compare(const Fk& fk, const Document& document, const Globals& globals) {
   if (fk.reading.skeleton.empty() || !std::holds_alternative<BodyMotion>(document.content)) {
@@ -121,7 +133,7 @@ Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
   if (!table) return fail(table.error());
   const auto sink = files.open(file.target);
   if (!sink) return fail(sink.error());
-  write_table(*table, *file.to, *sink);
+  write_table(*table, *file.to, fk.format, *sink);
   if (auto written = files.commit(); !written) return fail(std::move(written.error()));
   return std::vector<std::string>{file.target};
 }
@@ -139,18 +151,28 @@ int run_on_many(const Fk& fk, const Globals& globals) {
   return run_many(fk.many, work, globals);
 }
 
+/// Refuses options that have no effect.
+int expect_effects(const Fk& fk, const Format& format, const Globals& globals) {
+  const int exit_code = finish_reading(fk.reading, globals, kDone);
+  const Format* const output = &format;
+  const auto effective = expect_pose_options_of(fk.reading, {&output, 1});
+  if (exit_code != kDone || effective) return exit_code;
+  print_error(effective.error(), globals);
+  return kUsage;
+}
+
 /// Places a motion that is too large for memory; empty if it is not.
 std::optional<int> run_on_long(const Fk& fk, const Format& format, const Globals& globals) {
-  if (fk.is_comparing || fk.is_rest || !format.poses_in_blocks) return std::nullopt;
+  if (fk.is_comparing || fk.is_rest) return std::nullopt;
   Diagnostics diagnostics;
   const auto motion = open_long(fk.file, fk.reading, kMostBytesInMemory, diagnostics);
   if (!motion) return std::nullopt;
   print_diagnostics(STDERR_FILENO, diagnostics, globals);
-  if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
+  if (expect_effects(fk, format, globals) != kDone) return kUsage;
   const auto table = kinefile::fk(*motion, options_of(fk));
   if (table) {
     return write_file(fk, globals, [&](const Sink& sink) {
-      return write_table(*table, motion->frames, format, sink);
+      return write_table(*table, motion->frames, format, fk.format, sink);
     });
   }
   print_error(table.error(), globals);
@@ -162,8 +184,8 @@ int run(const Fk& fk, const Globals& globals) {
   const Format* format = output_format(fk);
   if (format == nullptr) {
     return usage_error(globals, fmt::format("'{}' shows no format that poses are written in; "
-                                            "name it .csv or .json, or say --to",
-                                            fk.out));
+                                            "name it {}, or say --to",
+                                            fk.out, pose_extensions()));
   }
   if (const auto done = run_on_long(fk, *format, globals)) return *done;
   int exit_code = kDone;
@@ -177,11 +199,11 @@ int run(const Fk& fk, const Globals& globals) {
   print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (!placed) return print_failure(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
-  if (finish_reading(fk.reading, globals, kDone) != kDone) return kUsage;
+  if (expect_effects(fk, *format, globals) != kDone) return kUsage;
   const auto table = kinefile::fk(std::move(*placed), options_of(fk));
   if (table) {
     return write_file(fk, globals, [&](const Sink& sink) -> Result<void> {
-      write_table(*table, *format, sink);
+      write_table(*table, *format, fk.format, sink);
       return {};
     });
   }
@@ -201,7 +223,9 @@ void add_fk(CLI::App& app, Globals& globals) {
     command->add_option("FILE", fk->file, "File to read; - is standard input")->required();
   }
   CLI::Option* out =
-      command->add_option("-o,--out", fk->out, "File to write, .csv or .json; else standard output")
+      command
+          ->add_option("-o,--out", fk->out,
+                       fmt::format("File to write, {}; else standard output", pose_extensions()))
           ->type_name("OUT");
   command->add_option("--to", fk->to, "Format of the output")
       ->check(CLI::IsMember(pose_formats()))
@@ -220,6 +244,8 @@ void add_fk(CLI::App& app, Globals& globals) {
       ->check(CLI::IsMember({"file", "m"}))
       ->default_str("file")
       ->type_name("UNIT");
+  for (const Format& format : formats()) add_flags(*command, format.pose_options, fk->format);
+  command->get_option("--float32")->excludes(command->get_option("--float64"));
   CLI::Option* compare =
       command->add_flag("--compare", fk->is_comparing,
                         "How far kinematics and the recorded poses of links differ at most, and in "

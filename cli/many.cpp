@@ -200,8 +200,9 @@ std::vector<const Format*> output_formats(const std::vector<ManyFile>& files) {
 Result<void> expect_effects(const ManyWork& work, const std::vector<ManyFile>& files) {
   if (auto project = expect_project(*work.reading); !project) return project;
   for (const ManyFile& file : files) note_format(file.format, *work.reading);
-  if (work.writes_poses) return expect_options_of(*work.reading, {});
-  return expect_options_of(*work.reading, output_formats(files));
+  if (!work.writes_poses) return expect_options_of(*work.reading, output_formats(files));
+  if (auto read = expect_options_of(*work.reading, {}); !read) return read;
+  return expect_pose_options_of(*work.reading, output_formats(files));
 }
 
 /// Works on all files.

@@ -34,9 +34,15 @@ bool writes_with(const Format& format, std::string_view option) {
   return false;
 }
 
+/// Whether an option has an effect on a table of poses.
+bool writes_poses_with(const Format& format, std::string_view option) {
+  return find_option(format.pose_options, option) != nullptr;
+}
+
+using Uses = bool (*)(const Format&, std::string_view option);
+
 /// The formats on which an option has an effect.
-std::vector<std::string_view> users_of(std::string_view option,
-                                       bool (*uses)(const Format&, std::string_view option)) {
+std::vector<std::string_view> users_of(std::string_view option, Uses uses) {
   std::vector<std::string_view> names;
   for (const Format& format : formats()) {
     if (uses(format, option)) names.push_back(format.name);
@@ -44,21 +50,23 @@ std::vector<std::string_view> users_of(std::string_view option,
   return names;
 }
 
-bool is_read_option(const Reading& reading, std::string_view option) {
-  return std::any_of(reading.formats.begin(), reading.formats.end(),
-                     [option](const Format* format) { return reads_with(*format, option); });
+/// Whether it has an effect on one of these.
+bool is_used_by(std::span<const Format* const> all, std::string_view option, Uses uses) {
+  return std::any_of(all.begin(), all.end(),
+                     [option, uses](const Format* format) { return uses(*format, option); });
 }
 
 /// The formats that an option is for, and those that it was given for.
+/// \param writes  how outputs use options
 std::string refusal(std::string_view option, const Reading& reading,
-                    std::span<const Format* const> outputs) {
+                    std::span<const Format* const> outputs, Uses writes) {
   std::vector<std::string_view> from;
   std::vector<std::string_view> to;
   for (const Format* format : reading.formats) from.push_back(format->name);
   for (const Format* format : outputs) to.push_back(format->name);
   std::vector<std::string> uses;
   const auto readers = users_of(option, reads_with);
-  const auto writers = users_of(option, writes_with);
+  const auto writers = users_of(option, writes);
   if (!readers.empty()) uses.push_back("reading " + listed(readers));
   if (!writers.empty()) uses.push_back("writing " + listed(writers));
   return fmt::format("--{} has no effect {}: it is for {}", option,
@@ -132,11 +140,21 @@ Result<void> expect_options_of(const Reading& reading, std::span<const Format* c
     if (name == "skeleton") continue;  // checked by `expect_skeleton_used`
     const bool is_of_formats =
         !users_of(name, reads_with).empty() || !users_of(name, writes_with).empty();
-    const bool has_use = !is_of_formats || is_read_option(reading, name) ||
-                         std::any_of(outputs.begin(), outputs.end(), [&name](const Format* output) {
-                           return writes_with(*output, name);
-                         });
-    if (!has_use) return no_effect(refusal(name, reading, outputs));
+    const bool has_use = !is_of_formats || is_used_by(reading.formats, name, reads_with) ||
+                         is_used_by(outputs, name, writes_with);
+    if (!has_use) return no_effect(refusal(name, reading, outputs, writes_with));
+  }
+  return {};
+}
+
+Result<void> expect_pose_options_of(const Reading& reading,
+                                    std::span<const Format* const> outputs) {
+  for (const CLI::Option* option : reading.command->get_options()) {
+    if (option->count() == 0) continue;
+    const std::string name = option->get_single_name();
+    const bool has_use =
+        users_of(name, writes_poses_with).empty() || is_used_by(outputs, name, writes_poses_with);
+    if (!has_use) return no_effect(refusal(name, reading, outputs, writes_poses_with));
   }
   return {};
 }

@@ -64,6 +64,10 @@ void add_flags(CLI::App& command, std::span<const Option<Target>> table, Target&
 /// \errors CLI003 (Usage)
 Result<void> expect_options_of(const Reading& reading, std::span<const Format* const> outputs);
 
+/// The same for the options that have an effect on tables of poses alone.
+/// \errors CLI003 (Usage)
+Result<void> expect_pose_options_of(const Reading& reading, std::span<const Format* const> outputs);
+
 /// Refuses --skeleton if it was not read.
 /// \errors CLI003 (Usage)
 Result<void> expect_skeleton_used(const Reading& reading);

@@ -19,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ["fuzz/seeds", "examples"]
@@ -28,7 +29,7 @@ NUMBERS = ["0", "1", "2", "3", "7", "-1", "0.5", "25", "29.97", "1e-9", "1e-300"
 TEXTS = ["", "a", "Hips", "HIP", "link0", "Left Leg", "root", "x", "ZYX", "XXX", "-", "..", "/", "a:b", ":", "0:2",
          "2:0", "::2", "0:3:0", "-1:", "0:1", "1:2,2:4", "root=add,others=replace", "upper,lower", "a,,b",
          "\udcff\udcfe", "\u202e", "\x1b[2J", "%s%n", "A" * 5000, "0-5+12", "0=1", "64=-32768", "utf-16le", "m"]
-GOOD_OUTPUTS = ["out.bvh", "out.asf", "out.amc", "out.seq", "out.txt", "out.csv", "out.json", "out.pos"]
+GOOD_OUTPUTS = ["out.bvh", "out.asf", "out.amc", "out.seq", "out.txt", "out.csv", "out.json", "out.npz", "out.pos"]
 OUTPUTS = ["out.html", "out.yaml", "out", "-", "", ".", "folder", "folder/out.bvh", "none/out.bvh", "n" * 300 + ".bvh",
            "a\nb.bvh", "\udcff.seq", "positions.bvh", "bow.seq", "/dev/full", "out.amc/"]
 GOOD_OPERATIONS = ["trim=0:2", "trim=1:", "reverse", "speed=0.3", "speed=7", "mirror", "mirror=x", "scale=2", "up=z",
@@ -158,7 +159,7 @@ class Words:
             words += ["-o", self.output()]
         if "--out-dir" in words:
             words += [self.random.choice(["folder", ".", self.file()])] if self.random.random() < 0.5 else []
-            words += ["--to", self.random.choice(["bvh", "amc", "csv", "json"])] if "--to" not in words else []
+            words += ["--to", self.random.choice(["bvh", "amc", "csv", "json", "npz"])] if "--to" not in words else []
         if "--skeleton" not in words and command != "servo-map" and self.random.random() < 0.2:
             words += ["--skeleton", self.random.choice(["robot.body", "leg.urdf", "bones.asf"])]
         if command == "keyframe":
@@ -188,6 +189,9 @@ def fault_of_file(path, folder, words):
         return None
     if asked == "csv" or (not asked and path.suffix == ".csv"):
         return fault_of_table(data.decode())
+    if asked == "npz" or (not asked and path.suffix == ".npz"):
+        with zipfile.ZipFile(path) as archive:
+            return archive.testzip()
     if path.suffix in (".yaml", ".dot") and not data.startswith((b"type:", b"{")):
         return None  # a servo map
     if path.suffix == ".txt" and b"_\0M\0" not in data and b"_MOTION_FORMAT" not in data:

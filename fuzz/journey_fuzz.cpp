@@ -111,7 +111,7 @@ void look_at(const Document& document, const Journey& journey) {
          {.rest = is_still, .frames = "0:1", .tips = true, .rotations = true, .name = "a"});
   if (!table) return;
   std::string json;
-  write_table(*table, *find_format("json"), appending_to(json));
+  write_table(*table, *find_format("json"), {}, appending_to(json));
   require(is_json(json), "fk's JSON is none", json);
 }
 

@@ -15,7 +15,7 @@ demo='make cmake ninja-build g++ pkg-config libeigen3-dev libfmt-dev libcli11-de
   zlib1g-dev'
 web="$demo emscripten"
 bench="$demo libbenchmark-dev libyaml-dev python3"
-test="$bench chromium fonts-vlgothic valgrind googletest clang-14 llvm-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+test="$bench python3-numpy chromium fonts-vlgothic valgrind googletest clang-14 llvm-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   emscripten"
 
 demo_tools='cmake ninja c++'
@@ -24,7 +24,7 @@ bench_libraries="$demo_libraries, Google Benchmark, libyaml"
 bench_tools="$demo_tools python3"
 web_tools="$demo_tools emcc node npm"
 test_tools="$web_tools chromium g++ pkg-config clang++-14 clang-format-14 python3"
-test_libraries="$bench_libraries, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"
+test_libraries="$bench_libraries, NumPy, GoogleTest's sources in /usr/src/googletest, compiler-rt of clang 14"
 
 case "${1:-}" in
   demo) wanted=$demo tools=$demo_tools libraries=$demo_libraries ;;

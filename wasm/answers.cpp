@@ -336,7 +336,7 @@ Json write_poses(Held& held, const Slot& slot, const Json& question) {
   table.options.rotations = false;
   table.options.tips = question.value("tips", false);
   std::string text;
-  write_table(table, *format, [&text](std::string_view piece) {
+  write_table(table, *format, {}, [&text](std::string_view piece) {
     text += piece;
     return true;
   });

@@ -54,15 +54,15 @@ Result<FkTable> fk(const LongMotion& motion, const FkOptions& options);
 /// each joint's parent (`FkOptions::local`). Lengths are in the file's unit.
 PoseArrays poses_of(const FkTable& table, const FrameRange& frames);
 
-/// Writes a table, a block of frames at a time where the format can. Returns false if the sink
+/// Writes a table. Poses are computed a block of frames at a time. Returns false if the sink
 /// returned false. Precondition: the format has `write_poses`.
-bool write_table(const FkTable& table, const Format& format, const Sink& sink);
+bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
+                 const Sink& sink);
 
-/// Writes a table of a motion whose frames are read when they are asked for, block by block.
-/// Precondition: the format has `write_poses`, and `poses_in_blocks`.
+/// Writes a table of a motion whose frames are read when they are asked for.
 /// \errors those of `FrameSource::rows`; IO003 if the sink returned false
 Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
-                         const Sink& sink);
+                         const WriteOptions& options, const Sink& sink);
 
 /// Computes how far kinematics and the recorded poses of links differ, one entry per link.
 /// \errors DOC001 (Usage) if the document is not a body motion; CNV002 (Usage) if there is no

@@ -11,6 +11,7 @@
 
 #include "kinefile/document.hpp"
 #include "kinefile/frame_source.hpp"
+#include "kinefile/function_ref.hpp"
 #include "kinefile/option.hpp"
 #include "kinefile/result.hpp"
 
@@ -128,6 +129,14 @@ struct Conventions {
 /// Consumes the next piece of the output; returns false to stop.
 using Sink = std::function<bool(std::string_view)>;
 
+/// Uses the poses of some frames; returns false to stop.
+using UsePoses = FunctionRef<bool(const PoseArrays&)>;
+
+/// Computes the poses of a table's frames (see `PoseTable`): calls `use` with one block of frames
+/// after the other, on the calling thread, until all were used or `use` returned false. Returns
+/// whether all were used. May be called several times.
+using PoseBlocks = FunctionRef<bool(UsePoses use)>;
+
 /// Starts a file of a set, by the part of its name after the stem of the set: ".waist".
 using OpenPart = std::function<Result<Sink>(std::string_view extension)>;
 
@@ -190,11 +199,9 @@ struct Format {
   Result<void> (*write_set)(const Document&, const WriteOptions&, const OpenPart&,
                             Diagnostics&) = nullptr;
 
-  /// Writes the poses of some frames as a table (see `PoseTable`); null if the format has no form
-  /// for one. Returns false if the sink returned false.
-  /// \param is_first  whether they are the first ones, which a header precedes
-  bool (*write_poses)(const PoseTable&, const PoseArrays&, bool is_first, const Sink&) = nullptr;
-  bool poses_in_blocks = false;  ///< whether `write_poses` accepts a few frames at a time
+  /// Writes a table of poses (see `PoseTable`), without holding all of them where its order allows
+  /// that; null if the format has no form for one. Returns false if the sink returned false.
+  bool (*write_poses)(const PoseTable&, PoseBlocks, const WriteOptions&, const Sink&) = nullptr;
 
   bool takes_skeleton = false;  ///< whether reading uses `ReadOptions::skeleton`
 
@@ -214,6 +221,7 @@ struct Format {
   /// format takes (lenient) are in no table.
   std::span<const ReadOption> read_options = {};
   std::span<const WriteOption> write_options = {};
+  std::span<const WriteOption> pose_options = {};  ///< on `write_poses`
   Conventions conventions = {};
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "kinefile/document.hpp"
+#include "kinefile/function_ref.hpp"
 #include "kinefile/result.hpp"
 
 #pragma GCC visibility push(default)
@@ -51,7 +52,7 @@ std::size_t frames_per_read(const FrameSource& frames);
 /// Hands all frames to `use`, block by block, which returns false if the output is cut off.
 /// \errors those of `FrameSource::rows`; IO003 if `use` returned false
 Result<void> for_each_block(const FrameSource& frames,
-                            const std::function<bool(const FrameBlock& block)>& use);
+                            FunctionRef<bool(const FrameBlock& block)> use);
 
 }  // namespace kinefile
 

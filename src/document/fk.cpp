@@ -7,6 +7,7 @@
 
 #include "document/sources.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/threads.hpp"
 
 namespace kinefile {
 namespace {
@@ -39,13 +40,8 @@ Result<std::vector<std::size_t>> joints_named(const Skeleton& skeleton, const Fk
 }  // namespace
 
 PoseTable FkTable::view() const {
-  return {&placed.motion.skeleton,
-          &placed.motion.clip.timeline,
-          joints,
-          options.rotations,
-          options.directions,
-          options.tips,
-          length_scale};
+  return {&placed.motion.skeleton, &placed.motion.clip.timeline, frames,       joints,
+          options.rotations,       options.directions,           options.tips, length_scale};
 }
 
 namespace {
@@ -132,41 +128,56 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
   return poses;
 }
 
-bool write_table(const FkTable& table, const Format& format, const Sink& sink) {
-  const PoseTable view = table.view();
+namespace {
+
+/// How many frames of a table to place at a time: of several threads each gets some.
+std::size_t frames_at_a_time(const FkTable& table) {
+  constexpr std::size_t kBlocksPerThread = 4;
+  const std::size_t num_threads = max_threads();
+  const std::size_t block = frames_per_block(table.placed.motion.skeleton);
+  return num_threads < 2 ? block : kBlocksPerThread * num_threads * block;
+}
+
+/// Calls `use` with parts of a table's frames, until it returns false.
+bool for_each_part(const FkTable& table, std::size_t most_frames,
+                   FunctionRef<bool(const FrameRange&)> use) {
   const FrameRange& all = table.frames;
   const std::size_t num_frames = all.num_frames();
-  const std::size_t block = format.poses_in_blocks ? frames_per_block(*view.skeleton) : num_frames;
-  if (num_frames == 0) return format.write_poses(view, poses_of(table, all), true, sink);
-  bool is_good = true;
-  for (std::size_t done = 0; is_good && done < num_frames; done += block) {
+  for (std::size_t done = 0; done < num_frames; done += most_frames) {
     FrameRange part = all;
     part.begin = all.begin + done * all.step;
-    part.end = part.begin + (std::min(block, num_frames - done) - 1) * all.step + 1;
-    is_good = format.write_poses(view, poses_of(table, part), done == 0, sink);
+    part.end = part.begin + (std::min(most_frames, num_frames - done) - 1) * all.step + 1;
+    if (!use(part)) return false;
   }
-  return is_good;
+  return true;
+}
+
+}  // namespace
+
+bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
+                 const Sink& sink) {
+  const auto blocks = [&table](UsePoses use) {
+    return for_each_part(table, frames_at_a_time(table),
+                         [&](const FrameRange& part) { return use(poses_of(table, part)); });
+  };
+  return format.write_poses(table.view(), blocks, options, sink);
 }
 
 Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
-                         const Sink& sink) {
-  const PoseTable view = table.view();
-  const FrameRange& all = table.frames;
-  const std::size_t num_frames = all.num_frames();
-  const std::size_t block = std::max<std::size_t>(
-      std::min(frames_per_block(*view.skeleton), frames_per_read(frames) / all.step), 1);
-  for (std::size_t done = 0; done < std::max<std::size_t>(num_frames, 1); done += block) {
-    FrameRange part = all;
-    part.begin = all.begin + done * all.step;
-    const std::size_t count = std::min(block, num_frames - done);
-    part.end = count == 0 ? part.begin : part.begin + (count - 1) * all.step + 1;
-    const auto rows = frames.rows(part.begin, part.end - part.begin);
-    if (!rows) return fail(rows.error());
-    if (!format.write_poses(view, poses_of_rows(table, part, *rows), done == 0, sink)) {
-      return fail(ErrorKind::Io, "IO003", "the output was cut off");
-    }
-  }
-  return {};
+                         const WriteOptions& options, const Sink& sink) {
+  const std::size_t most =
+      std::min(frames_at_a_time(table), frames_per_read(frames) / table.frames.step);
+  Result<void> read;
+  const auto blocks = [&](UsePoses use) {
+    return for_each_part(table, std::max<std::size_t>(most, 1), [&](const FrameRange& part) {
+      const auto rows = frames.rows(part.begin, part.end - part.begin);
+      if (!rows) read = fail(rows.error());
+      return rows && use(poses_of_rows(table, part, *rows));
+    });
+  };
+  const bool is_written = format.write_poses(table.view(), blocks, options, sink);
+  if (!read || is_written) return read;
+  return fail(ErrorKind::Io, "IO003", "the output was cut off");
 }
 
 Result<std::vector<robot::LinkDeviation>> compare_links(const Document& document,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,37 @@ inline std::vector<PoseRow> pose_rows(const PoseTable& table) {
 inline const double* point_of(const PoseArrays& poses, std::size_t frame, const PoseRow& row) {
   return row.is_tip ? &poses.tips[(frame * poses.num_tips + row.point) * 3]
                     : &poses.positions[(frame * poses.num_joints + row.point) * 3];
+}
+
+/// Appends the points of some frames, [frame][line][3], in the table's unit of length.
+template <class T>
+void append_points(const PoseTable& table, const std::vector<PoseRow>& rows,
+                   const PoseArrays& poses, std::vector<T>& out) {
+  std::size_t at = out.size();
+  out.resize(at + poses.num_frames * rows.size() * 3);
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    for (const PoseRow& row : rows) {
+      const double* const point = point_of(poses, f, row);
+      for (std::size_t k = 0; k < 3; ++k) {
+        out[at++] = static_cast<T>(point[k] * table.length_scale);
+      }
+    }
+  }
+}
+
+/// Appends the numbers of an array of `poses` for the lines of some frames, [frame][line][width].
+/// \param array  [frame][joint][width]
+template <class T>
+void append_of_joints(const std::vector<PoseRow>& rows, const PoseArrays& poses,
+                      const Array<double>& array, std::size_t width, std::vector<T>& out) {
+  std::size_t at = out.size();
+  out.resize(at + poses.num_frames * rows.size() * width);
+  for (std::size_t f = 0; f < poses.num_frames; ++f) {
+    for (const PoseRow& row : rows) {
+      const double* const numbers = &array[(f * poses.num_joints + row.joint) * width];
+      for (std::size_t k = 0; k < width; ++k) out[at++] = static_cast<T>(numbers[k]);
+    }
+  }
 }
 
 }  // namespace kinefile::tables

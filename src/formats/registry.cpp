@@ -10,6 +10,9 @@
 #include "formats/csv/format.hpp"
 #include "formats/hrpsys/format.hpp"
 #include "formats/json/format.hpp"
+#ifndef __EMSCRIPTEN__  // a page makes no tables for NumPy
+#include "formats/npz/format.hpp"
+#endif
 #include "formats/robovie/format.hpp"
 #include "formats/urdf/format.hpp"
 #include "formats/wrl/format.hpp"
@@ -32,6 +35,9 @@ std::vector<Format> all_formats() {
       bvh::format(),     acclaim::asf_format(), acclaim::amc_format(), choreonoid::format(),
       robovie::format(), body::format(),        wrl::format(),         urdf::format(),
       hrpsys::format(),  csv::format(),         json::format(),
+#ifndef __EMSCRIPTEN__
+      npz::format(),
+#endif
   };
 }
 

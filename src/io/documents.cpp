@@ -235,9 +235,10 @@ Result<void> write(const std::string& name, const Document& document, const Form
                    Diagnostics& diagnostics) {
   if (!is_written(format)) {
     const std::string writable = names_of_formats(is_written);
-    return fail(
-        ErrorKind::Usage, "FMT002",
-        fmt::format("{} is only read, not written; what is written: {}", format.name, writable));
+    const std::string reason = format.write_poses != nullptr ? " is for poses, which fk writes"
+                                                             : " is only read, not written";
+    return fail(ErrorKind::Usage, "FMT002",
+                std::string(format.name) + reason + "; what is written: " + writable);
   }
   WriteOptions with_companion = options;
   Result<void> written;

@@ -20,7 +20,7 @@ std::size_t frames_per_read(const FrameSource& frames) {
 }
 
 Result<void> for_each_block(const FrameSource& frames,
-                            const std::function<bool(const FrameBlock& block)>& use) {
+                            FunctionRef<bool(const FrameBlock& block)> use) {
   const std::size_t most = frames_per_read(frames);
   for (std::size_t first = 0; first < frames.num_frames; first += most) {
     const std::size_t count = std::min(most, frames.num_frames - first);

@@ -44,8 +44,7 @@ void Printer::continue_row(std::span<const double> numbers, std::string_view sep
   print_row(numbers, separator);
 }
 
-void Printer::print_rows(std::size_t num_rows, std::size_t numbers_per_row,
-                         const PrintRows& print) {
+void Printer::print_rows(std::size_t num_rows, std::size_t numbers_per_row, PrintRows print) {
   const std::size_t part =
       std::max<std::size_t>(kPartNumbers / std::max<std::size_t>(numbers_per_row, 1), 1);
   if (!kHasThreads || num_rows <= part || max_threads() < 2) return print(*this, 0, num_rows);

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "kinefile/function_ref.hpp"
 #include "simd/number_text.hpp"
 
 namespace kinefile::text {
@@ -17,7 +18,7 @@ namespace kinefile::text {
 class Printer {
  public:
   /// Prints some rows, from one up to another that is not included.
-  using PrintRows = std::function<void(Printer& printer, std::size_t begin, std::size_t end)>;
+  using PrintRows = FunctionRef<void(Printer& printer, std::size_t begin, std::size_t end)>;
 
   /// \param sink      receives the pieces; printing ends if it returns false
   /// \param spelling  of every number
@@ -37,7 +38,7 @@ class Printer {
 
   /// Prints rows, in parts on several threads if they are many.
   /// \param print  called with a printer for each part, for several parts at once
-  void print_rows(std::size_t num_rows, std::size_t numbers_per_row, const PrintRows& print);
+  void print_rows(std::size_t num_rows, std::size_t numbers_per_row, PrintRows print);
 
   /// Whether the sink never returned false.
   bool is_good() const { return is_good_; }

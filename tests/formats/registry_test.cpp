@@ -17,7 +17,8 @@ TEST(Registry, NamesAndExtensionsAreUnique) {
       EXPECT_TRUE(extension.starts_with('.'));
       EXPECT_TRUE(words.insert(extension).second) << extension;
     }
-    EXPECT_TRUE(format.read != nullptr || format.write != nullptr) << format.name;
+    EXPECT_TRUE(format.read != nullptr || format.write != nullptr || format.write_poses != nullptr)
+        << format.name;
   }
 }
 

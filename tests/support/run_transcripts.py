@@ -7,7 +7,7 @@ own a file, with the programs of --bin on the path and walk.bvh (a walk of 60 fr
 documents our other examples, too; what follows is what they print, stdout and stderr together, and
 `=> N` the exit code if it is not 0.
 A line `...` stands for any lines. `$DATA` is the folder of real files: a block that uses it is
-skipped, by name, where there is none. --accept writes what was printed into the files."""
+skipped, by name, where there is none; so is one that says numpy where no python3 has it. --accept writes what was printed into the files."""
 
 import argparse
 import os
@@ -40,6 +40,8 @@ def commands_of(block):
 
 
 def run(command, folder, environment):
+    if environment["NUMPY_PYTHON"]:
+        command = 'python3() { "$NUMPY_PYTHON" "$@"; }\n' + command
     done = subprocess.run(["sh", "-c", command], cwd=folder, env=environment, text=True,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=300)
@@ -61,10 +63,32 @@ def examples():
     return [p for p in sorted((ROOT / "examples").iterdir()) if not p.name.endswith(sources)]
 
 
+def python_with_numpy():
+    """A python3 that has NumPy, the one on the path first; nothing if there is none."""
+    for python in ("python3", "/usr/bin/python3"):
+        try:
+            done = subprocess.run([python, "-c", "import numpy, sys; print(sys.executable)"],
+                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        except FileNotFoundError:
+            continue
+        if done.returncode == 0:
+            return done.stdout.strip()
+    return ""
+
+
+def missing_for(block, environment):
+    """What a block needs that is not there."""
+    if "$DATA" in block and not environment.get("DATA"):
+        return "the folder KINEFILE_TEST_DATA with real files"
+    if "numpy" in block and not environment.get("NUMPY_PYTHON"):
+        return "NumPy (python3-numpy)"
+    return ""
+
+
 def check_file(path, environment, accept):
-    """Runs the transcripts of a file; returns (commands run, faults, blocks skipped)."""
+    """Runs the transcripts of a file; returns (commands run, faults, why each skipped block is)."""
     text = path.read_text()
-    num_run, faults, skipped = 0, [], 0
+    num_run, faults, skipped = 0, [], []
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["make_walk", "walk.bvh", "60", "30"], cwd=folder, env=environment,
                        check=True)
@@ -75,8 +99,8 @@ def check_file(path, environment, accept):
         for block in BLOCK.finditer(text):
             pieces.append(text[end:block.start(2)])
             end = block.end(2)
-            if "$DATA" in block[2] and not environment.get("DATA"):
-                skipped += 1
+            if missing := missing_for(block[2], environment):
+                skipped.append(missing)
                 pieces.append(block[2])
                 continue
             lines = []
@@ -107,14 +131,15 @@ def main():
     environment["FIXTURES"] = str(ROOT / "tests" / "formats")
     data = environment.get("KINEFILE_TEST_DATA", "")
     environment["DATA"] = str(pathlib.Path(data).resolve()) if os.path.isdir(data) else ""
+    environment["NUMPY_PYTHON"] = python_with_numpy()
     total, all_faults = 0, []
     for path in files_of(options.kind):
         num_run, faults, skipped = check_file(path, environment, options.accept)
         total += num_run
         all_faults += faults
-        if skipped:
-            print(f"{path.relative_to(ROOT)}: {skipped} blocks skipped, since the folder "
-                  "KINEFILE_TEST_DATA with real files is not there")
+        for missing in sorted(set(skipped)):
+            print(f"{path.relative_to(ROOT)}: {skipped.count(missing)} blocks skipped, since "
+                  f"{missing} is not there")
     print("\n".join(all_faults) if all_faults else f"{total} commands print what is written")
     return 1 if all_faults or total == 0 else 0
 

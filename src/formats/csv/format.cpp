@@ -5,9 +5,9 @@
 
 #include "formats/common_options.hpp"
 #include "formats/csv/flow_table.hpp"
+#include "formats/csv/pose_table.hpp"
 #include "formats/csv/read.hpp"
 #include "formats/files.hpp"
-#include "kinefile/pose_table.hpp"
 #include "text/printer.hpp"
 #include "text/scanner.hpp"
 
@@ -104,11 +104,7 @@ Format format() {
   format.write = write;
   if (kReadsInBlocks) format.write_frames = write_frames;
   format.facts = facts_of_layout;
-  format.write_poses = [](const PoseTable& table, const PoseArrays& poses, bool is_first,
-                          const Sink& sink) {
-    return (!is_first || write_pose_csv_header(table, sink)) && write_pose_csv(table, poses, sink);
-  };
-  format.poses_in_blocks = true;
+  format.write_poses = write_poses;
   format.takes_skeleton = true;
   format.conventions.writes = kWrites;
   format.conventions.has_columns_of_components = true;

@@ -5,8 +5,8 @@
 
 #include "formats/common_options.hpp"
 #include "formats/json/flow.hpp"
+#include "formats/json/pose_table.hpp"
 #include "formats/json/writer.hpp"
-#include "kinefile/pose_table.hpp"
 
 namespace kinefile::json {
 namespace {
@@ -199,8 +199,7 @@ Format format() {
   format.write = write;
   format.conventions.writes = {
       .motions = true, .skeletons = true, .body_motions = true, .flows = true};
-  format.write_poses = [](const PoseTable& table, const PoseArrays& poses, bool /*is_first*/,
-                          const Sink& sink) { return write_pose_json(table, poses, sink); };
+  format.write_poses = write_poses;
   format.write_options = kWriteOptions;
   format.conventions.keeps_times = true;
   return format;

@@ -189,21 +189,24 @@ TEST(LongMotion, IsResampledInBlocksOfAnySize) {
 
 TEST(LongMotion, IsPlacedAsTheWholeFile) {
   const Motion whole = read_bvh(plain_long_text()).motion();
-  for (const char* frames : {"", "5:19000:7", "19999:20000", "4:4"}) {
-    FkOptions options;
-    options.frames = frames;
-    options.rotations = true;
-    options.tips = true;
-    std::string expected;
-    const auto table = fk(Placed{whole}, options);
-    ASSERT_TRUE(table);
-    write_table(*table, *find_format("csv"), adding_to(expected));
-    std::string found;
-    const auto motion = opened(plain_long_text());
-    const auto long_table = fk(*motion, options);
-    ASSERT_TRUE(long_table);
-    EXPECT_TRUE(write_table(*long_table, motion->frames, *find_format("csv"), adding_to(found)));
-    EXPECT_TRUE(found == expected) << frames;
+  for (const char* format : {"csv", "json", "npz"}) {
+    for (const char* frames : {"", "5:19000:7", "19999:20000", "4:4"}) {
+      FkOptions options;
+      options.frames = frames;
+      options.rotations = true;
+      options.tips = true;
+      std::string expected;
+      const auto table = fk(Placed{whole}, options);
+      ASSERT_TRUE(table);
+      write_table(*table, *find_format(format), {}, adding_to(expected));
+      std::string found;
+      const auto motion = opened(plain_long_text());
+      const auto long_table = fk(*motion, options);
+      ASSERT_TRUE(long_table);
+      EXPECT_TRUE(
+          write_table(*long_table, motion->frames, *find_format(format), {}, adding_to(found)));
+      EXPECT_TRUE(found == expected) << format << " " << frames;
+    }
   }
 }
 

@@ -36,9 +36,6 @@ struct LongMotion {
   FrameSource frames;
 };
 
-/// The frames of a clip, which must outlive the result.
-FrameSource frames_of(const Clip& clip);
-
 /// Some frames of a source.
 struct FrameBlock {
   std::size_t first_frame = 0;
@@ -46,13 +43,21 @@ struct FrameBlock {
   std::span<const double> rows;  ///< [frame][coordinate]
 };
 
+/// Uses some frames; returns false if the output is cut off.
+using UseBlock = FunctionRef<bool(const FrameBlock& block)>;
+
+/// Hands all frames of a motion to `use`, block by block: `for_each_block`, or those of a clip.
+using EachBlock = FunctionRef<Result<void>(UseBlock use)>;
+
 /// How many frames to ask a source for at a time: a few megabytes.
 std::size_t frames_per_read(const FrameSource& frames);
 
-/// Hands all frames to `use`, block by block, which returns false if the output is cut off.
+/// Hands all frames to `use`, block by block.
 /// \errors those of `FrameSource::rows`; IO003 if `use` returned false
-Result<void> for_each_block(const FrameSource& frames,
-                            FunctionRef<bool(const FrameBlock& block)> use);
+Result<void> for_each_block(const FrameSource& frames, UseBlock use);
+
+/// The same for a clip, whose frames are one block.
+Result<void> for_each_block(const Clip& clip, UseBlock use);
 
 }  // namespace kinefile
 

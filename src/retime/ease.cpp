@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <string>
+
+#include "simd/number_index.hpp"
 
 namespace kinefile::retime {
 namespace {
@@ -44,18 +44,18 @@ double in_out(double power, double u) {
   return u < 0.5 ? std::pow(2 * u, power) / 2 : 1 - std::pow(2 * (1 - u), power) / 2;
 }
 
-/// Numbers with commas between them, or nothing. The classic locale is set explicitly, because a
-/// program may have set one with a decimal comma.
+/// Finite numbers with commas between them, or nothing.
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  std::istringstream stream{std::string(text)};
-  stream.imbue(std::locale::classic());
   std::vector<double> numbers;
-  for (char comma = ','; comma == ',';) {
-    numbers.emplace_back();
-    if (!(stream >> std::noskipws >> numbers.back())) return std::nullopt;
-    if (!stream.get(comma)) return numbers;
+  while (true) {
+    const std::string_view token = text.substr(0, text.find(','));
+    double& number = numbers.emplace_back();
+    if (token.empty() || !simd::read_odd_token(token.data(), token.data() + token.size(), number)) {
+      return std::nullopt;
+    }
+    if (token.size() == text.size()) return numbers;
+    text.remove_prefix(token.size() + 1);
   }
-  return std::nullopt;
 }
 
 /// In the order of `Ease::Kind`.

@@ -158,8 +158,8 @@ Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& optio
 }
 
 /// Writes the hierarchy, and the frames if the document is a motion.
-/// \param frames  of the motion, whose own clip is not looked at
-Result<void> write_all(const Document& document, const FrameSource& frames,
+/// \param num_frames, frames  of the motion, whose own clip is not looked at
+Result<void> write_all(const Document& document, std::size_t num_frames, EachBlock frames,
                        const kinefile::WriteOptions& options, const Sink& sink,
                        Diagnostics& diagnostics) {
   const Motion* const motion = std::get_if<Motion>(&document.content);
@@ -176,16 +176,17 @@ Result<void> write_all(const Document& document, const FrameSource& frames,
   const std::string_view line_end = kept == nullptr ? "\n" : line_end_of(kept->text);
   text::Printer printer(sink, {.decimals = options.decimals});
   print_hierarchy(printer, unbound->file, line_end);
+  Result<void> printed;
   if (motion != nullptr) {
-    print_counts(printer, frames.num_frames, motion->clip.timeline, line_end);
+    print_counts(printer, num_frames, motion->clip.timeline, line_end);
+    printed = frames([&](const FrameBlock& block) {
+      printer.print_rows(block.num_frames, skeleton.coordinates.size(),
+                         [&](text::Printer& part, std::size_t begin, std::size_t end) {
+                           print_frames(part, *unbound, block.rows, begin, end, line_end);
+                         });
+      return printer.is_good();
+    });
   }
-  auto printed = for_each_block(frames, [&](const FrameBlock& block) {
-    printer.print_rows(block.num_frames, frames.num_coordinates,
-                       [&](text::Printer& part, std::size_t begin, std::size_t end) {
-                         print_frames(part, *unbound, block.rows, begin, end, line_end);
-                       });
-    return printer.is_good();
-  });
   if (printed && !printer.finish()) {
     return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
   }
@@ -203,13 +204,18 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
     auto steady = expect_steady(motion->clip, code::kNotExpressible, "BVH");
     if (!steady) return steady;
   }
-  const FrameSource frames = motion == nullptr ? FrameSource() : frames_of(motion->clip);
-  return write_all(document, frames, options, sink, diagnostics);
+  return write_all(
+      document, motion == nullptr ? 0 : motion->clip.num_frames,
+      [motion](UseBlock use) { return for_each_block(motion->clip, use); }, options, sink,
+      diagnostics);
 }
 
 Result<void> write_frames(const LongMotion& motion, const kinefile::WriteOptions& options,
                           const Sink& sink, Diagnostics& diagnostics) {
-  return write_all(motion.document, motion.frames, options, sink, diagnostics);
+  return write_all(
+      motion.document, motion.frames.num_frames,
+      [&motion](UseBlock use) { return for_each_block(motion.frames, use); }, options, sink,
+      diagnostics);
 }
 
 /// Whether the file's positions were read as added to OFFSET.

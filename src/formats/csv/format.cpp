@@ -46,7 +46,7 @@ constexpr Kinds kWrites = {.motions = true, .flows = true};
 bool probe(std::string_view head) { return text::starts_with_ignoring_case(head, "time,"); }
 
 /// \param frames  of the motion, whose own clip is not looked at
-Result<void> write_motion(const Motion& motion, const FrameSource& frames,
+Result<void> write_motion(const Motion& motion, EachBlock frames,
                           const kinefile::WriteOptions& options, const Sink& sink) {
   text::Printer printer(sink, {.decimals = options.decimals});
   printer.print("time");
@@ -55,8 +55,8 @@ Result<void> write_motion(const Motion& motion, const FrameSource& frames,
     printer.print(text::csv_field(name));
   }
   printer.print('\n');
-  const std::size_t num_columns = frames.num_coordinates;
-  auto printed = for_each_block(frames, [&](const FrameBlock& block) {
+  const std::size_t num_columns = motion.skeleton.coordinates.size();
+  auto printed = frames([&](const FrameBlock& block) {
     const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         part.print_exact(time_of_frame(motion.clip.timeline, block.first_frame + f));
@@ -84,12 +84,15 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
                            "expected a motion to write as CSV, found a skeleton alone"));
   }
   if (auto taken = expect_kind(document, kWrites, "a motion to write as CSV"); !taken) return taken;
-  return write_motion(*motion, frames_of(motion->clip), options, sink);
+  return write_motion(
+      *motion, [motion](UseBlock use) { return for_each_block(motion->clip, use); }, options, sink);
 }
 
 Result<void> write_frames(const LongMotion& motion, const kinefile::WriteOptions& options,
                           const Sink& sink, Diagnostics&) {
-  return write_motion(std::get<Motion>(motion.document.content), motion.frames, options, sink);
+  return write_motion(
+      std::get<Motion>(motion.document.content),
+      [&motion](UseBlock use) { return for_each_block(motion.frames, use); }, options, sink);
 }
 
 }  // namespace

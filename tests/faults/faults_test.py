@@ -258,8 +258,9 @@ class Killed(Folder):
         self.assertEqual(self.others(["out.csv"]), [])
 
     def test_a_file_that_changes_while_it_is_read_is_an_error(self):
-        # Some megabytes, each read in one call that is slow: most moments are within one.
-        (self.folder / "long.bvh").write_text(bvh(200_000))
+        # Some megabytes, each read in one call that is slow: most moments are within one. UTF-8 would
+        # be read by pieces, and again as a whole when it has changed.
+        (self.folder / "long.bvh").write_text(bvh(100_000), encoding="utf-16")
         slow = {**os.environ, "LD_PRELOAD": options.inject, "KINEFILE_FAULT": "read:-1:slow"}
         size = (self.folder / "long.bvh").stat().st_size
         rng = random.Random(options.seed)

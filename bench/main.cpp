@@ -3,6 +3,7 @@
 
 #include "batch.hpp"
 #include "checksum.hpp"
+#include "commands.hpp"
 #include "files.hpp"
 #include "keyframes.hpp"
 #include "kinefile/threads.hpp"
@@ -24,6 +25,7 @@ int run(int argc, char** argv) {
   add_files();
   add_printing();
   add_motions();
+  add_commands();
   add_checksum();
   add_batch();
   const bool has_run = run_and_print(argc, argv);

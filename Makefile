@@ -7,13 +7,14 @@ TORTURE_SECONDS ?= 3600
 # 0: the demo makes no page, and needs nothing for it.
 WEB ?= 1
 
-.PHONY: help demo web test bench install fuzz coverage torture lint format clean
+.PHONY: help demo web test bench bench-check install fuzz coverage torture lint format clean
 
 help:
 	@echo 'make demo     build kinefile and show what it does on a walk that it makes itself'
 	@echo 'make web      build the page that shows motion, build/web/page.html'
 	@echo 'make test     build and run all tests; what CI runs'
 	@echo 'make bench    measure against named baselines in one run'
+	@echo 'make bench-check  compare the instructions that jobs take with a table'
 	@echo 'make install  install the command, the library, the man page (PREFIX=$(PREFIX))'
 	@echo 'make fuzz     fuzz readers, conversions and command lines (FUZZ_SECONDS=$(FUZZ_SECONDS) each)'
 	@echo 'make coverage how much of each reader the inputs of the fuzzers run'
@@ -42,6 +43,11 @@ bench:
 	@tools/build.sh plain kinefile
 	@build/release/kinefile_bench
 	@python3 bench/hardening.py build/release build/plain
+
+bench-check:
+	@tools/setup.sh test
+	@tools/build.sh demo kinefile_command make_walk
+	@python3 bench/instructions.py build/release
 
 install:
 	@tools/setup.sh demo

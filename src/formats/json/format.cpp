@@ -95,7 +95,8 @@ void print_skeleton(text::Printer& printer, const Skeleton& skeleton) {
   printer.print('}');
 }
 
-void print_clip(text::Printer& printer, const Motion& motion) {
+/// \param frames  of the motion, whose own clip has a timeline at the least
+Result<void> print_clip(text::Printer& printer, const Motion& motion, EachBlock frames) {
   printer.print(",\n\"frame_time\":");
   printer.print_exact(frame_time(motion.clip.timeline));
   if (has_own_times(motion.clip.timeline)) {
@@ -106,9 +107,20 @@ void print_clip(text::Printer& printer, const Motion& motion) {
   const std::vector<std::string> names = column_names(motion.skeleton);
   print_elements(printer, names.size(), ",",
                  [&](std::size_t i) { printer.print(text::json_string(names[i])); });
-  printer.print(",\n\"values\":");
-  print_rows(printer, motion.clip.num_frames, motion.clip.num_coordinates,
-             [&](text::Printer& part, std::size_t f) { print_array(part, motion.clip.row(f)); });
+  printer.print(",\n\"values\":[");
+  const std::size_t num_columns = motion.skeleton.coordinates.size();
+  auto printed = frames([&](const FrameBlock& block) {
+    const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (block.first_frame + f > 0) part.print(",\n  ");
+        print_array(part, block.rows.subspan(f * num_columns, num_columns));
+      }
+    };
+    printer.print_rows(block.num_frames, num_columns, print);
+    return printer.is_good();
+  });
+  printer.print(']');
+  return printed;
 }
 
 std::string_view type_name(ComponentKind kind) {
@@ -167,26 +179,45 @@ void print_body_motion(text::Printer& printer, const BodyMotion& motion, Diagnos
   printer.print("}\n");
 }
 
-void print_motion(text::Printer& printer, const Document& document) {
+Result<void> print_motion(text::Printer& printer, const Document& document, EachBlock frames) {
   printer.print("{\"skeleton\":");
   print_skeleton(printer, skeleton_of(document));
-  if (const Motion* motion = std::get_if<Motion>(&document.content)) print_clip(printer, *motion);
+  const Motion* const motion = std::get_if<Motion>(&document.content);
+  auto printed = motion == nullptr ? Result<void>() : print_clip(printer, *motion, frames);
   printer.print("}\n");
+  return printed;
+}
+
+/// Hands on the rest of a text that was printed, or not.
+Result<void> finished(text::Printer& printer, Result<void> printed) {
+  if (!printed || printer.finish()) return printed;
+  return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
 }
 
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
   if (auto valid = validate(document); !valid) return valid;
   text::Printer printer(sink, number_spelling(options.decimals));
+  Result<void> printed;
   if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
     print_body_motion(printer, *motion, diagnostics);
   } else if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
     print_flow(printer, *flow);
   } else {
-    print_motion(printer, document);
+    const Motion* const motion = std::get_if<Motion>(&document.content);
+    printed = print_motion(printer, document,
+                           [motion](UseBlock use) { return for_each_block(motion->clip, use); });
   }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finished(printer, std::move(printed));
+}
+
+Result<void> write_frames(const LongMotion& motion, const WriteOptions& options, const Sink& sink,
+                          Diagnostics&) {
+  text::Printer printer(sink, number_spelling(options.decimals));
+  auto printed = print_motion(printer, motion.document, [&motion](UseBlock use) {
+    return for_each_block(motion.frames, use);
+  });
+  return finished(printer, std::move(printed));
 }
 
 }  // namespace
@@ -197,6 +228,7 @@ Format format() {
   format.description = "JSON: skeleton, column names and values";
   format.extensions = kExtensions;
   format.write = write;
+  if (kReadsInBlocks) format.write_frames = write_frames;
   format.conventions.writes = {
       .motions = true, .skeletons = true, .body_motions = true, .flows = true};
   format.write_poses = write_poses;

@@ -133,7 +133,7 @@ TEST(LongMotion, IsWrittenAsTheWholeFile) {
     const Threads some(threads);
     const auto motion = opened(plain_long_text());
     ASSERT_TRUE(motion);
-    for (const char* format : {"bvh", "csv"}) {
+    for (const char* format : {"bvh", "csv", "json"}) {
       EXPECT_EQ(text_of_long(*motion, format), write_to_string(whole, format)) << format;
       const WriteOptions rounded{.decimals = 3};
       EXPECT_EQ(text_of_long(*motion, format, rounded), write_to_string(whole, format, rounded))

@@ -199,8 +199,8 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
   if (auto valid = validate(document); !valid) return valid;
   text::Printer printer(sink, number_spelling(options.decimals));
   Result<void> printed;
-  if (const BodyMotion* motion = std::get_if<BodyMotion>(&document.content)) {
-    print_body_motion(printer, *motion, diagnostics);
+  if (const BodyMotion* body = std::get_if<BodyMotion>(&document.content)) {
+    print_body_motion(printer, *body, diagnostics);
   } else if (const PoseFlow* flow = std::get_if<PoseFlow>(&document.content)) {
     print_flow(printer, *flow);
   } else {

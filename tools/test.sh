@@ -1,9 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# All tests, as `make test` and CI run them. Each part says what it is; the first failure ends it.
+# All tests, as `make test` and CI run them. Each part says what it is and after how many seconds it
+# begins; the first failure ends it.
 set -eu
 
-say() { printf '\n== %s\n' "$*"; }
+begin=$(date +%s)
+say() { printf '\n== %s (%s s)\n' "$*" $(($(date +%s) - begin)); }
 
 say "Layout of the code"
 tools/sources.sh . | xargs clang-format-14 --dry-run --Werror

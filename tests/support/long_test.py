@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 FILE_BYTES = 2 << 30
 MOST_RESIDENT_BYTES = 200 << 20
@@ -89,6 +90,17 @@ class Long(unittest.TestCase):
             self.assertEqual((int(found), float(x)), (frame, frame % ROWS_PER_BLOCK))
             frame += 10
         self.assertLess(self.num_frames - 10, frame)
+
+    def test_fk_to_arrays(self):
+        out = pathlib.Path(self.folder.name) / "poses.npz"
+        words = ["fk", self.motion, "--rotations", "--joints", "hips,joint7", "-o", out]
+        self.assertEqual(list(self.lines_of(words)), [])
+        with zipfile.ZipFile(out) as archive:
+            sizes = {entry.filename: entry.file_size - 128 for entry in archive.infolist()}
+        out.unlink()
+        self.assertEqual(sizes["positions.npy"], self.num_frames * 2 * 3 * 8)
+        self.assertEqual(sizes["rotations.npy"], self.num_frames * 2 * 4 * 8)
+        self.assertEqual(sizes["times.npy"], self.num_frames * 8)
 
     def test_convert(self):
         frame = -1

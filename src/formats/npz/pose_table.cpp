@@ -48,19 +48,28 @@ void write_names(ZipWriter& zip, const std::vector<tables::PoseRow>& rows) {
   add_numbers(zip, texts.characters);
 }
 
-void write_times(ZipWriter& zip, const PoseTable& table) {
-  const std::size_t num_frames = table.frames.num_frames();
-  std::vector<std::int64_t> frames;
-  std::vector<double> times;
-  for (std::size_t f = 0; f < num_frames; ++f) {
-    const std::size_t frame = table.frames.begin + f * table.frames.step;
-    frames.push_back(static_cast<std::int64_t>(frame));
-    times.push_back(time_of_frame(*table.timeline, frame));
+/// Writes an array with a number for each frame, some thousand of them at a time.
+template <class T, class NumberOf>
+void write_of_frames(ZipWriter& zip, const std::string& name, const FrameRange& frames,
+                     const NumberOf& number_of) {
+  constexpr std::size_t kMostNumbers = std::size_t{1} << 13;
+  begin_numbers<T>(zip, name, {frames.num_frames()});
+  std::vector<T> numbers;
+  for (std::size_t f = 0; f < frames.num_frames(); ++f) {
+    numbers.push_back(number_of(frames.begin + f * frames.step));
+    if (numbers.size() < kMostNumbers) continue;
+    add_numbers(zip, numbers);
+    numbers.clear();
   }
-  begin_numbers<std::int64_t>(zip, "frames", {num_frames});
-  add_numbers(zip, frames);
-  begin_numbers<double>(zip, "times", {num_frames});
-  add_numbers(zip, times);
+  add_numbers(zip, numbers);
+}
+
+void write_times(ZipWriter& zip, const PoseTable& table) {
+  write_of_frames<std::int64_t>(zip, "frames", table.frames,
+                                [](std::size_t frame) { return static_cast<std::int64_t>(frame); });
+  write_of_frames<double>(zip, "times", table.frames, [&table](std::size_t frame) {
+    return time_of_frame(*table.timeline, frame);
+  });
 }
 
 /// Writes an array of numbers of type T, [frame][line][width].

@@ -3,6 +3,7 @@
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
+#include <hwy/highway.h>
 
 #include <array>
 #include <cmath>
@@ -80,6 +81,14 @@ void rows_kinefile(benchmark::State& state) {
   }
 }
 
+/// The same as on a processor with SSE4.2 and no wider vectors.
+template <Spelling kSpelling>
+void rows_on_sse4(benchmark::State& state) {
+  hwy::SetSupportedTargetsForTest(HWY_STATIC_TARGET | HWY_SSSE3 | HWY_SSE4);
+  rows_kinefile<kSpelling>(state);
+  hwy::SetSupportedTargetsForTest(0);
+}
+
 template <Spelling kSpelling>
 void rows_fast_float(benchmark::State& state) {
   const std::string& text = text_of(kSpelling);
@@ -100,6 +109,9 @@ void add() {
   measure(name + "/kinefile", rows_kinefile<kSpelling>);
   measure(name + "/fast_float", rows_fast_float<kSpelling>);
   compare(fmt::format("number rows, {}, against fast_float", kNames[kSpelling]), name + "/kinefile",
+          name + "/fast_float");
+  measure(name + "/sse4", rows_on_sse4<kSpelling>);
+  compare(fmt::format("the same on SSE4.2, {}", kNames[kSpelling]), name + "/sse4",
           name + "/fast_float");
 }
 

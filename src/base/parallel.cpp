@@ -16,6 +16,11 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   for (std::size_t i = 0; i < count; ++i) work(i);
 }
 
+void for_each_group(std::size_t count, std::size_t,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+  work(0, count);
+}
+
 bool make_in_order(std::size_t count, std::size_t,
                    const std::function<void(std::size_t, std::size_t)>& make,
                    const std::function<bool(std::size_t, std::size_t)>& use) {
@@ -174,6 +179,16 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     }
   });
   if (failure) std::rethrow_exception(failure);
+}
+
+void for_each_group(std::size_t count, std::size_t num_numbers,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+  constexpr std::size_t kManyNumbers = std::size_t{1} << 15;
+  const std::size_t num_groups = num_numbers < kManyNumbers ? 1 : threads_for(count);
+  if (num_groups <= 1) return work(0, count);
+  for_each_index(num_groups, [&](std::size_t group) {
+    work(count * group / num_groups, count * (group + 1) / num_groups);
+  });
 }
 
 bool make_in_order(std::size_t count, std::size_t num_slots,

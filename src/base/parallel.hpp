@@ -19,6 +19,12 @@ inline constexpr bool kHasThreads = true;
 /// others are left out as far as possible, and one exception is thrown again here.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// Calls `work(begin, end)` for groups of consecutive indices below `count`, on several threads if
+/// there is much to do: a group for each of them, or one of all.
+/// \param num_numbers  that are worked on for all indices together
+void for_each_group(std::size_t count, std::size_t num_numbers,
+                    const std::function<void(std::size_t, std::size_t)>& work);
+
 /// Makes parts on up to `max_threads()` threads, and uses them in order on the calling thread:
 /// `make(i, slot)`, later `use(i, slot)`, which returns false to stop. What belongs to a part lies
 /// in its slot, which is used again: no more than `num_slots` parts exist at a time.

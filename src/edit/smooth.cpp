@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinematics/joint_columns.hpp"
@@ -237,16 +238,17 @@ std::vector<std::size_t> columns_of(const std::vector<DegreeOfFreedom>& dofs) {
 
 /// Smooths the rotations of a joint as one rotation, if the joint leads their columns, and marks
 /// these columns.
-/// \param leads  whether the joint follows no other in any of these columns
+/// \param leads    whether the joint follows no other in any of these columns
+/// \param is_done  by column; several threads mark theirs
 void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rotations, bool leads,
-                  AngleUnit unit, std::vector<bool>& is_done, Clip& clip) {
+                  AngleUnit unit, std::vector<char>& is_done, Clip& clip) {
   const auto axes = euler_axes_of(rotations);
   const bool is_whole = is_whole_rotation(rotations);
   const bool has_gains = std::all_of(rotations.begin(), rotations.end(),
                                      [](const DegreeOfFreedom& dof) { return dof.gain != 0; });
   if (!leads || !has_gains || (!axes && !is_whole)) return;
   const std::vector<std::size_t> columns = columns_of(rotations);
-  for (const std::size_t column : columns) is_done[column] = true;
+  for (const std::size_t column : columns) is_done[column] = 1;
   if (is_constant(clip, columns)) return;
   if (is_whole) {
     smooth_whole(filter, rotations[0], unit, clip);
@@ -257,16 +259,20 @@ void smooth_joint(const Filter& filter, const std::vector<DegreeOfFreedom>& rota
 }
 
 /// Smooths all rotations that are smoothed as a whole. Returns which columns they have.
-std::vector<bool> smooth_joints(const Filter& filter, Motion& motion) {
+std::vector<char> smooth_joints(const Filter& filter, Motion& motion) {
   const Skeleton& skeleton = motion.skeleton;
   const std::vector<std::size_t> leaders = leaders_of_columns(skeleton);
-  std::vector<bool> is_done(skeleton.coordinates.size(), false);
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
-    const auto rotations = rotations_of(skeleton.joints[j]);
-    const auto follows = following_dofs(rotations, j, leaders);
-    const bool leads = std::find(follows.begin(), follows.end(), true) == follows.end();
-    smooth_joint(filter, rotations, leads, skeleton.angle_unit, is_done, motion.clip);
-  }
+  std::vector<char> is_done(skeleton.coordinates.size(), 0);
+  motion.clip.mutate();  // not shared from here on, so that threads find it so
+  const auto smooth_some = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      const auto rotations = rotations_of(skeleton.joints[j]);
+      const auto follows = following_dofs(rotations, j, leaders);
+      const bool leads = std::find(follows.begin(), follows.end(), true) == follows.end();
+      smooth_joint(filter, rotations, leads, skeleton.angle_unit, is_done, motion.clip);
+    }
+  };
+  for_each_group(skeleton.joints.size(), motion.clip.values.size(), smooth_some);
   return is_done;
 }
 
@@ -304,10 +310,10 @@ Result<Motion> smooth(Motion motion, double cutoff_hz) {
   if (auto error = find_not_finite(motion)) return fail(std::move(*error));
   const Filter filter(cutoff_hz, rate);
   const std::vector<double> turns = turns_of_columns(motion.skeleton);
-  const std::vector<bool> is_done = smooth_joints(filter, motion);
+  const std::vector<char> is_done = smooth_joints(filter, motion);
   std::vector<Column> columns;
   for (std::size_t c = 0; c < is_done.size(); ++c) {
-    if (!is_done[c]) columns.push_back({c, turns[c]});
+    if (is_done[c] == 0) columns.push_back({c, turns[c]});
   }
   for (std::size_t c = 0; c < columns.size(); c += kLanes) {
     const std::span<const Column> all = columns;

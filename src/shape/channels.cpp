@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "base/parallel.hpp"
 #include "kinefile/compare.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
@@ -403,8 +405,8 @@ void fill_rows(const Clip& source, const ColumnFiller& filler, const FrameBatch&
   }
 }
 
-/// Fills all columns, a block of frames after the other.
-void fill_columns(const Motion& source, std::vector<ColumnFiller>& fillers, const Rows& out) {
+/// Fills the columns of some joints, a block of frames after the other.
+void fill_columns(const Motion& source, std::span<ColumnFiller> fillers, const Rows& out) {
   const AngleUnit unit = source.skeleton.angle_unit;
   simd::Quaternions rotations;
   simd::Angles angles;
@@ -489,7 +491,11 @@ Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOption
                        in_rest_frame(joint, joint.offset - changes[j].offset),
                        rotation::AngleFinder(changes[j].axes, is_in_degrees, Vec3::Zero())});
   }
-  fill_columns(motion, fillers, result.clip.mutate());
+  const Rows out = result.clip.mutate();
+  const std::span<ColumnFiller> all = fillers;
+  for_each_group(fillers.size(), out.values.size(), [&](std::size_t begin, std::size_t end) {
+    fill_columns(motion, all.subspan(begin, end - begin), out);
+  });
   note_lost_noise(motion, changes, result, diagnostics);
   return result;
 }

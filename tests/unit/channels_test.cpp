@@ -9,6 +9,7 @@
 #include "kinefile/shape.hpp"
 #include "support/motion_checks.hpp"
 #include "support/support.hpp"
+#include "support/threads.hpp"
 #include "walk.hpp"
 
 namespace kinefile {
@@ -311,6 +312,20 @@ TEST(ParseRotationOrder, TakesTwelveOrders) {
   EXPECT_EQ(shape::parse_rotation_order("ZXZ"), (shape::RotationOrder{2, 0, 2}));
   for (const char* word : {"", "XY", "XXY", "XYY", "XYW", "XYZX"}) {
     EXPECT_FALSE(shape::parse_rotation_order(word)) << word;
+  }
+}
+
+TEST(Channels, EveryNumberOfThreadsGivesTheSameBits) {
+  const Motion walk = examples::make_walk({.num_frames = 1000});
+  shape::ChannelOptions options;
+  options.order = shape::RotationOrder{0, 1, 2};
+  const auto with_threads = [&](std::size_t threads) {
+    const test::Threads some(threads);
+    return changed(walk, options);
+  };
+  const Motion alone = with_threads(1);
+  for (const std::size_t threads : test::kThreadCounts) {
+    EXPECT_EQ(with_threads(threads).clip.values, alone.clip.values);
   }
 }
 

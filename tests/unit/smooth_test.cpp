@@ -7,6 +7,7 @@
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "support/support.hpp"
+#include "support/threads.hpp"
 #include "walk.hpp"
 
 namespace kinefile {
@@ -177,6 +178,18 @@ TEST(Smoothed, WhatIsSlowerThanTheMotionIsLongComesOutAsTheLineBetweenItsEnds) {
   for (std::size_t f = 0; f < 200; ++f) {
     const double line = first + (last - first) * static_cast<double>(f) / 199;
     EXPECT_NEAR(still.clip.row(f)[0], line, 1e-6);
+  }
+}
+
+TEST(Smooth, EveryNumberOfThreadsGivesTheSameBits) {
+  const Motion walk = examples::make_walk({.num_frames = 1000});
+  const auto smoothed = [&walk](std::size_t threads) {
+    const test::Threads some(threads);
+    return smooth(walk, 3);
+  };
+  const Motion alone = smoothed(1);
+  for (const std::size_t threads : test::kThreadCounts) {
+    EXPECT_EQ(smoothed(threads).clip.values, alone.clip.values);
   }
 }
 

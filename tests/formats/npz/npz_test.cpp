@@ -120,7 +120,7 @@ std::vector<T> array_of(const std::string& npy, const std::string& type, const s
       << npy.substr(10, begin - 10);
   std::vector<T> numbers((npy.size() - begin) / sizeof(T));
   EXPECT_EQ(numbers.size() * sizeof(T), npy.size() - begin);
-  std::memcpy(numbers.data(), npy.data() + begin, npy.size() - begin);
+  if (!numbers.empty()) std::memcpy(numbers.data(), npy.data() + begin, npy.size() - begin);
   return numbers;
 }
 

@@ -22,6 +22,7 @@
 #include "kinefile/fk.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/frame_source.hpp"
 #include "kinefile/function_ref.hpp"
 #include "kinefile/info.hpp"
 #include "kinefile/io.hpp"

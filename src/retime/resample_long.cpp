@@ -2,14 +2,11 @@
 // The new frames of a block need some old ones around their places only, so that a part of the old
 // motion is retimed as if it were all of it.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "kinefile/retime.hpp"
 #include "retime/interpolate_plan.hpp"
 #include "retime/steady_frames.hpp"
@@ -65,28 +62,6 @@ Result<void> make_frames(const Resampling& work, const Span& made, const Span& o
   return {};
 }
 
-/// Makes new frames from old ones that are there, in parts on several threads.
-Result<void> make_in_parts(const Resampling& work, const Span& made, const Span& old,
-                           std::span<const double> rows, double* out) {
-  constexpr std::size_t kNumbersPerPart = std::size_t{1} << 15;
-  const std::size_t width = work.old_frames.num_coordinates;
-  const std::size_t part = std::max<std::size_t>(kNumbersPerPart / width, 1);
-  const std::size_t count = (made.end - made.begin + part - 1) / part;
-  std::vector<Result<void>> results(count);
-  for_each_index(count, [&](std::size_t i) {
-    const std::size_t begin = made.begin + i * part;
-    const Span some{begin, std::min(begin + part, made.end)};
-    const Span needed = needed_frames(work, some);
-    const auto theirs =
-        rows.subspan((needed.begin - old.begin) * width, (needed.end - needed.begin) * width);
-    results[i] = make_frames(work, some, needed, theirs, out + i * part * width);
-  });
-  for (const Result<void>& result : results) {
-    if (!result) return result;
-  }
-  return {};
-}
-
 /// Makes the frames that are asked for. Where they need more old frames than a source gives at a
 /// time, fewer new ones are made at a time.
 Result<std::span<const double>> rows_of(Resampling& work, std::size_t first, std::size_t count) {
@@ -101,7 +76,7 @@ Result<std::span<const double>> rows_of(Resampling& work, std::size_t first, std
     const Span old = needed_frames(work, made);
     const auto rows = work.old_frames.rows(old.begin, old.end - old.begin);
     if (!rows) return fail(rows.error());
-    auto is_made = make_in_parts(work, made, old, *rows, out + done * width);
+    auto is_made = make_frames(work, made, old, *rows, out + done * width);
     if (!is_made) return fail(std::move(is_made.error()));
   }
   return std::span<const double>(work.rows);

@@ -93,6 +93,17 @@ std::vector<std::string> fixtures(const std::string& folder, const std::string& 
   return names;
 }
 
+ByteSource source_of(const std::string& bytes) {
+  ByteSource source;
+  source.size = bytes.size();
+  source.read = [&bytes](std::size_t offset, std::span<char> out) {
+    if (offset + out.size() > bytes.size()) return false;
+    std::copy_n(bytes.data() + offset, out.size(), out.data());
+    return true;
+  };
+  return source;
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {

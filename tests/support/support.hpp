@@ -50,6 +50,9 @@ std::string bytes_of(const std::string& path);
 std::string fixture(const std::string& name);
 std::vector<std::string> fixtures(const std::string& folder, const std::string& extension);
 
+/// These bytes as a file that is read piece by piece. They must outlive the result.
+ByteSource source_of(const std::string& bytes);
+
 /// The name of a file without its folders.
 std::string base_name(const std::string& path);
 

@@ -44,21 +44,10 @@ const std::string& plain_long_text() {
   return text;
 }
 
-ByteSource as_bytes(const std::string& text) {
-  ByteSource bytes;
-  bytes.size = text.size();
-  bytes.read = [&text](std::size_t offset, std::span<char> out) {
-    if (offset + out.size() > text.size()) return false;
-    std::copy_n(text.data() + offset, out.size(), out.data());
-    return true;
-  };
-  return bytes;
-}
-
 std::optional<LongMotion> opened(const std::string& text, ReadOptions options = {},
                                  double most_bytes = 0) {
   options.source_name = "t.bvh";
-  return find_format("bvh")->open_frames(as_bytes(text), most_bytes, options, ignored());
+  return find_format("bvh")->open_frames(source_of(text), most_bytes, options, ignored());
 }
 
 Sink adding_to(std::string& text) {
@@ -107,7 +96,7 @@ TEST(LongMotion, TellsWhatTheWholeFileTells) {
   options.source_name = "t.bvh";
   const ReadText whole = read_bvh(text, options);
   Diagnostics found;
-  const auto motion = find_format("bvh")->open_frames(as_bytes(text), 0, options, found);
+  const auto motion = find_format("bvh")->open_frames(source_of(text), 0, options, found);
   ASSERT_TRUE(motion);
   EXPECT_FALSE(whole.diagnostics.items().empty());
   ASSERT_EQ(found.items().size(), whole.diagnostics.items().size());

@@ -15,17 +15,6 @@
 namespace kinefile::test {
 namespace {
 
-ByteSource source_of(const std::string& bytes) {
-  ByteSource source;
-  source.size = bytes.size();
-  source.read = [&bytes](std::size_t offset, std::span<char> out) {
-    if (offset + out.size() > bytes.size()) return false;
-    std::copy_n(bytes.data() + offset, out.size(), out.data());
-    return true;
-  };
-  return source;
-}
-
 /// Rows of nine numbers of different lengths.
 std::vector<std::string> many_rows(std::size_t count) {
   std::mt19937 random(7);

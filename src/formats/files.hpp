@@ -10,6 +10,7 @@
 
 #include "kinefile/format.hpp"
 #include "text/decode.hpp"
+#include "text/printer.hpp"
 #include "text/source.hpp"
 
 namespace kinefile {
@@ -37,6 +38,14 @@ inline Result<void> expect_kind(const Document& document, const Kinds& kinds,
                                 std::string_view wanted) {
   if (!contains(kinds, document)) return fail(wrong_kind(document, wanted));
   return validate(document);
+}
+
+/// Ends a writer: hands on the rest of what it printed.
+/// \param printed  what came of it until here
+/// \errors those of `printed`; IO003 if the sink ever returned false
+inline Result<void> finish(text::Printer& printer, Result<void> printed = {}) {
+  if (!printed || printer.finish()) return printed;
+  return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
 }
 
 /// How the text of a file was encoded and what its lines ended with.

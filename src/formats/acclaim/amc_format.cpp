@@ -197,8 +197,7 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
   text::Printer printer(sink, {.decimals = options.decimals});
   print_amc(printer, *unbound, heading_of(kept, *motion, options), motion->clip,
             line_end_of(kept.text));
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finish(printer);
 }
 
 }  // namespace

@@ -68,8 +68,7 @@ Result<void> write_asf(const Document& document, const WriteOptions& options, co
   if (!unbound) return fail(std::move(unbound.error()));
   text::Printer printer(sink, {.decimals = options.decimals});
   print_asf(printer, unbound->file, line_end_of(kept.text));
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finish(printer);
 }
 
 }  // namespace

@@ -187,10 +187,7 @@ Result<void> write_all(const Document& document, std::size_t num_frames, EachBlo
       return printer.is_good();
     });
   }
-  if (printed && !printer.finish()) {
-    return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  }
-  return printed;
+  return finish(printer, std::move(printed));
 }
 
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,

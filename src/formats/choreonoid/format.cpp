@@ -241,8 +241,7 @@ Result<void> write(const Document& document, const kinefile::WriteOptions& optio
       {.decimals = options.decimals, .points_exponents = true, .quotes_non_finite = file->is_json});
   const KeptFile* const kept = document.kept.get<KeptFile>();
   print_file(printer, *file, kept == nullptr ? "\n" : line_end_of(kept->text));
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finish(printer);
 }
 
 /// How frames with times were read.

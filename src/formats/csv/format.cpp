@@ -67,10 +67,7 @@ Result<void> write_motion(const Motion& motion, EachBlock frames,
     printer.print_rows(block.num_frames, num_columns + 1, print);
     return printer.is_good();
   });
-  if (printed && !printer.finish()) {
-    return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  }
-  return printed;
+  return finish(printer, std::move(printed));
 }
 
 Result<void> write(const Document& document, const kinefile::WriteOptions& options,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/csv/flow_table.hpp"
+#include "formats/files.hpp"
 #include "kinefile/robot_project.hpp"
 #include "model/slider_words.hpp"
 #include "text/printer.hpp"
@@ -58,8 +59,7 @@ Result<void> write_flow(const PoseFlow& flow, const kinefile::WriteOptions& opti
     }
     printer.print('\n');
   }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finish(printer);
 }
 
 }  // namespace kinefile::csv

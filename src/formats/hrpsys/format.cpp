@@ -63,8 +63,7 @@ Result<void> write_part(const Component& component, std::string_view part,
   } else {
     print_rows(printer, component, 0, component.row_size());
   }
-  if (!printer.finish()) return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-  return {};
+  return finish(printer);
 }
 
 /// \errors HRP008 (Usage) without frames: nobody reads an empty file; HRP017 (DataLoss) if the

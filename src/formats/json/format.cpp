@@ -4,6 +4,7 @@
 #include <array>
 
 #include "formats/common_options.hpp"
+#include "formats/files.hpp"
 #include "formats/json/flow.hpp"
 #include "formats/json/pose_table.hpp"
 #include "formats/json/writer.hpp"
@@ -188,12 +189,6 @@ Result<void> print_motion(text::Printer& printer, const Document& document, Each
   return printed;
 }
 
-/// Hands on the rest of a text that was printed, or not.
-Result<void> finished(text::Printer& printer, Result<void> printed) {
-  if (!printed || printer.finish()) return printed;
-  return fail(make_error(ErrorKind::Io, "IO003", "the output was cut off"));
-}
-
 Result<void> write(const Document& document, const WriteOptions& options, const Sink& sink,
                    Diagnostics& diagnostics) {
   if (auto valid = validate(document); !valid) return valid;
@@ -208,7 +203,7 @@ Result<void> write(const Document& document, const WriteOptions& options, const 
     printed = print_motion(printer, document,
                            [motion](UseBlock use) { return for_each_block(motion->clip, use); });
   }
-  return finished(printer, std::move(printed));
+  return finish(printer, std::move(printed));
 }
 
 Result<void> write_frames(const LongMotion& motion, const WriteOptions& options, const Sink& sink,
@@ -217,7 +212,7 @@ Result<void> write_frames(const LongMotion& motion, const WriteOptions& options,
   auto printed = print_motion(printer, motion.document, [&motion](UseBlock use) {
     return for_each_block(motion.frames, use);
   });
-  return finished(printer, std::move(printed));
+  return finish(printer, std::move(printed));
 }
 
 }  // namespace

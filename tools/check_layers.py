@@ -39,7 +39,7 @@ LAYERS = {
 
 # The layer that declares what a public header has.
 PUBLIC = {
-    "array": "base", "function_ref": "base", "kept": "base", "option": "base", "threads": "base",
+    "array": "base", "byte_source": "base", "function_ref": "base", "kept": "base", "option": "base", "threads": "base",
      "diagnostics": "base", "result": "base", "version": "base", "math": "math",
     "frame_source": "model", "skeleton": "model", "visual_shape": "model", "timeline": "model", "clip": "model", "motion": "model",
     "world_poses": "model", "body_motion": "model", "document": "model", "format": "model", "bvh": "model", "choreonoid": "model", "csv": "model", "npz": "model",

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinefile/byte_source.hpp"
 #include "kinefile/document.hpp"
 #include "kinefile/frame_source.hpp"
 #include "kinefile/function_ref.hpp"
@@ -45,14 +46,6 @@ struct Resolver {
   std::function<std::optional<CompanionFile>(const std::string& name)> open = {};
   /// The names of the files with this extension in the folder of the one that is read, sorted.
   std::function<std::vector<std::string>(std::string_view extension)> list = {};
-};
-
-/// The bytes of a file that are read piece by piece.
-struct ByteSource {
-  std::size_t size = 0;
-  /// Reads the bytes from a place on, all of which are in the file; false after a fault. May be
-  /// called from several threads at once.
-  std::function<bool(std::size_t offset, std::span<char> bytes)> read = {};
 };
 
 /// How to read a file.

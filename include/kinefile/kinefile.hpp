@@ -8,6 +8,7 @@
 #include "kinefile/batch.hpp"
 #include "kinefile/body_motion.hpp"
 #include "kinefile/bvh.hpp"
+#include "kinefile/byte_source.hpp"
 #include "kinefile/check.hpp"
 #include "kinefile/choreonoid.hpp"
 #include "kinefile/clip.hpp"

@@ -10,6 +10,7 @@ namespace kinefile {
 
 std::size_t max_threads() { return 1; }
 void set_max_threads(std::size_t) {}
+std::size_t free_threads() { return 1; }
 std::size_t slots_for_threads() { return 1; }
 
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -85,9 +86,7 @@ void run_on_threads(std::size_t num_threads, const std::function<void()>& functi
   for (std::thread& thread : threads) thread.join();
 }
 
-std::size_t threads_for(std::size_t count) {
-  return is_at_work ? 1 : std::min(count, max_threads());
-}
+std::size_t threads_for(std::size_t count) { return std::min(count, free_threads()); }
 
 /// The state of `make_in_order`, all of it under `mutex`.
 struct Line {
@@ -157,6 +156,8 @@ std::size_t max_threads() {
 }
 
 void set_max_threads(std::size_t count) { chosen_threads.store(count, std::memory_order_relaxed); }
+
+std::size_t free_threads() { return is_at_work ? 1 : max_threads(); }
 
 std::size_t slots_for_threads() { return is_at_work ? 1 : 2 * max_threads(); }
 

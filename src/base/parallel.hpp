@@ -33,6 +33,9 @@ bool make_in_order(std::size_t count, std::size_t num_slots,
                    const std::function<void(std::size_t, std::size_t)>& make,
                    const std::function<bool(std::size_t, std::size_t)>& use);
 
+/// How many threads would work on what is begun here, however much it is.
+std::size_t free_threads();
+
 /// The number of slots that keeps `max_threads()` threads at work.
 std::size_t slots_for_threads();
 

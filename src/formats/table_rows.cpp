@@ -28,16 +28,6 @@ bool do_times_rise(const text::Source& source, const TableRows& rows, const char
   return true;
 }
 
-/// Half of the last digit of each row's time.
-std::vector<double> half_digits_of(const text::Source& source, const TableRows& rows) {
-  std::vector<double> halves;
-  halves.reserve(rows.starts.size());
-  for (const char* const start : rows.starts) {
-    halves.push_back(half_of_last_digit(start, source.end()));
-  }
-  return halves;
-}
-
 /// Where times jump by two usual steps or more.
 struct Gaps {
   double step = 0;        ///< the usual one; 0 if most steps are not of one size
@@ -87,40 +77,31 @@ void note_slow(const text::Source& source, const TableRows& rows, std::span<cons
                rows.starts[1]);
 }
 
-/// Reserves memory as if all rows were as long as those before them.
-void reserve_rows(const char* begin, const char* end, TableRows& rows) {
+/// Reserves memory as if all rows were like the first ones.
+/// \param row_bytes  of the text of one
+/// \param num_bytes  of the text of those that follow
+void reserve_rows(std::size_t row_bytes, std::size_t num_bytes, TableRows& rows) {
   // A number has two bytes at the least, with its separator.
-  const std::size_t least = 2 * rows.num_columns;
-  const auto row_bytes =
-      std::max(static_cast<std::size_t>(begin - rows.starts.front()) / rows.starts.size(), least);
-  const std::size_t num_more = static_cast<std::size_t>(end - begin) / row_bytes;
-  const std::size_t num_rows = rows.starts.size() + num_more + num_more / 16 + 1;
+  const std::size_t likely = num_bytes / std::max(row_bytes, 2 * rows.num_columns);
+  const std::size_t num_more = likely + likely / 16 + 1;
+  const std::size_t num_rows = rows.starts.size() + num_more;
   rows.times.reserve(num_rows);
+  rows.half_digits.reserve(num_rows);
   rows.starts.reserve(num_rows);
   // Numbers without a column need no bytes in the file.
-  const auto num_bytes = static_cast<std::size_t>(end - rows.starts.front());
   for (TablePart& part : rows.parts) {
-    part.values.reserve(std::min(num_rows * part.width, num_bytes));
+    part.values.reserve(part.values.size() + std::min(num_more * part.width, num_bytes));
   }
 }
 
-/// Appends what a reader of many rows finds.
-/// \param read  called with the place, the most rows, and room for their numbers and starts
-template <class Read>
-const char* append_many(const char* begin, const char* end, const Read& read, TableRows& rows) {
-  constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
-  reserve_rows(begin, end, rows);
-  const std::size_t most = kSomeNumbers / rows.num_columns + 1;
-  Array<double> numbers(most * rows.num_columns);
-  std::vector<const char*> starts(most);
-  while (true) {
-    const simd::NumberRows found = read(begin, most, numbers.mutate().data(), starts.data());
-    const double* row = numbers.data();
-    for (std::size_t i = 0; i < found.num_rows; ++i, row += rows.num_columns) {
-      rows.append({row, rows.num_columns}, starts[i]);
-    }
-    begin = found.next;
-    if (found.num_rows < most) return begin;
+/// Takes the rows of a piece.
+/// \param start  of their texts; null: where they are
+void append_piece(const text::RowPiece& piece, const char* start, TableRows& rows) {
+  const double* row = piece.values.data();
+  for (const char* const at : piece.starts) {
+    rows.append({row, rows.num_columns}, at, piece.end);
+    if (start != nullptr) rows.starts.back() = start;
+    row += rows.num_columns;
   }
 }
 
@@ -130,27 +111,34 @@ void TableRows::add_part(std::span<const std::size_t> columns) {
   parts.push_back({column_runs(columns), columns.size(), {}});
 }
 
-void TableRows::append(std::span<const double> row, const char* start) {
+void TableRows::append(std::span<const double> row, const char* start, const char* end) {
   times.push_back(row[0]);
+  half_digits.push_back(half_of_last_digit(start, end));
   starts.push_back(start);
   for (TablePart& part : parts) {
     take_columns(part.columns, row.data(), part.values.grow(part.width).data());
   }
 }
 
-const char* append_number_rows(const char* begin, const char* end, TableRows& rows) {
-  const auto read = [&](const char* at, std::size_t most, double* out, const char** starts) {
-    return simd::read_number_rows(at, end, rows.num_columns, most, out, starts);
-  };
-  return append_many(begin, end, read, rows);
+const char* append_rows(const char* begin, const char* end, const text::RowReader& reader,
+                        TableRows& rows) {
+  const auto bytes_before = static_cast<std::size_t>(begin - rows.starts.front());
+  reserve_rows(bytes_before / rows.starts.size(), static_cast<std::size_t>(end - begin), rows);
+  return text::read_row_pieces(begin, end, reader, [&rows](const text::RowPiece& piece) {
+    append_piece(piece, nullptr, rows);
+    return true;
+  });
 }
 
-const char* append_like_rows(const char* begin, const char* end, const simd::RowTemplate& row,
-                             TableRows& rows) {
-  const auto read = [&](const char* at, std::size_t most, double* out, const char** starts) {
-    return simd::read_template_rows(at, end, row, most, out, starts);
+bool append_rows(const ByteSource& bytes, std::size_t offset, const text::RowReader& reader,
+                 const char* start, TableRows& rows) {
+  const auto bytes_before = static_cast<std::size_t>(start - rows.starts.front());
+  reserve_rows(bytes_before / rows.starts.size(), bytes.size - offset, rows);
+  const auto use = [&](const text::RowPiece& piece) {
+    append_piece(piece, start, rows);
+    return true;
   };
-  return append_many(begin, end, read, rows);
+  return text::read_row_pieces(bytes, offset, reader, use) == text::PiecesEnd::AllRead;
 }
 
 std::optional<Timeline> timeline_of_rows(const text::Source& source, const TableRows& rows,
@@ -167,7 +155,7 @@ std::optional<Timeline> timeline_of_rows(const text::Source& source, const Table
     return Timeline{FrameRate{30}, 0};
   }
   note_slow(source, rows, times, codes.slow, diagnostics);
-  const auto rate = rate_of_times(times, half_digits_of(source, rows));
+  const auto rate = rate_of_times(times, rows.half_digits);
   if (!rate) {
     note_gaps(source, rows, times, codes.gap, diagnostics);
     return Timeline{FrameTimes{times}, 0};

@@ -10,7 +10,7 @@
 #include "kinefile/array.hpp"
 #include "kinefile/diagnostics.hpp"
 #include "kinefile/timeline.hpp"
-#include "simd/template_rows.hpp"
+#include "text/row_pieces.hpp"
 #include "text/source.hpp"
 
 namespace kinefile {
@@ -26,25 +26,27 @@ struct TablePart {
 struct TableRows {
   std::size_t num_columns = 0;
   std::vector<double> times;
-  std::vector<const char*> starts;
+  std::vector<double> half_digits;  ///< of each time, see `half_of_last_digit`
+  std::vector<const char*> starts;  ///< of each row's text
   std::vector<TablePart> parts;
 
   /// Adds a part for some columns, before there are rows.
   void add_part(std::span<const std::size_t> columns);
   /// Appends a row to all parts.
-  /// \param start  of its text
-  void append(std::span<const double> row, const char* start);
+  /// \param start, end  of its text, which may go on behind the row
+  void append(std::span<const double> row, const char* start, const char* end);
 };
 
-/// Appends rows of numbers between blanks, as far as they go (see `simd::read_number_rows`).
+/// Appends rows of a text in memory, as far as they go, after one or more that are there already.
 /// \returns  the first row that is another, or the end
-const char* append_number_rows(const char* begin, const char* end, TableRows& rows);
+const char* append_rows(const char* begin, const char* end, const text::RowReader& reader,
+                        TableRows& rows);
 
-/// Appends rows that have the text of the first row between their numbers, as far as they go.
-/// \param row  the template of the first row
-/// \returns    the first row that is another, or the end
-const char* append_like_rows(const char* begin, const char* end, const simd::RowTemplate& row,
-                             TableRows& rows);
+/// Appends the rows of a file from a place to its end, after one or more that are there already.
+/// Their texts are not kept: for messages all of them start at the same place.
+/// \returns  false if some text is no row, or cannot be read
+bool append_rows(const ByteSource& bytes, std::size_t offset, const text::RowReader& reader,
+                 const char* start, TableRows& rows);
 
 /// The codes of the messages of `timeline_of_rows`.
 struct TableTimeCodes {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "io/documents.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -43,22 +45,6 @@ Resolver recording(Resolver inner, const OpenedFiles& opened) {
     return found;
   };
   return recorder;
-}
-
-/// Reads the skeleton that the caller named, when a motion needs it.
-Result<void> read_skeleton(const std::string& path, ReadOptions& options,
-                           Diagnostics& diagnostics) {
-  ReadOptions skeleton_options;
-  skeleton_options.lenient = options.lenient;
-  skeleton_options.of_formats = options.of_formats;
-  skeleton_options.metres_per_unit = options.metres_per_unit;
-  skeleton_options.up = options.up;
-  skeleton_options.model_root = options.model_root;
-  skeleton_options.opened = options.opened;
-  auto skeleton = read_file(path, nullptr, skeleton_options, diagnostics);
-  if (!skeleton) return fail(std::move(skeleton.error()));
-  options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
-  return {};
 }
 
 /// OUT.asf for OUT.amc.
@@ -109,6 +95,23 @@ Result<void> write_one(const std::string& name, const Document& document, const 
 
 }  // namespace
 
+Result<void> read_named_skeleton(const Format* format, ReadOptions& options,
+                                 Diagnostics& diagnostics) {
+  const bool takes_skeleton = format != nullptr && format->takes_skeleton;
+  if (!takes_skeleton || options.skeleton_name.empty() || options.skeleton != nullptr) return {};
+  ReadOptions skeleton_options;
+  skeleton_options.lenient = options.lenient;
+  skeleton_options.of_formats = options.of_formats;
+  skeleton_options.metres_per_unit = options.metres_per_unit;
+  skeleton_options.up = options.up;
+  skeleton_options.model_root = options.model_root;
+  skeleton_options.opened = options.opened;
+  auto skeleton = read_file(options.skeleton_name, nullptr, skeleton_options, diagnostics);
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  options.skeleton = std::make_shared<const Document>(std::move(*skeleton));
+  return {};
+}
+
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics) {
   options.source_name = name;
@@ -154,10 +157,8 @@ Result<Document> read_file(const std::string& name, const Format* asked, ReadOpt
   options.companions = recording(std::move(options.companions), options.opened);
   const Format* format = asked;
   if (format == nullptr) format = detect_format(bytes->view().substr(0, kHeadBytes), source_name);
-  const bool takes_skeleton = format != nullptr && format->takes_skeleton;
-  if (takes_skeleton && !options.skeleton_name.empty() && options.skeleton == nullptr) {
-    auto skeleton = read_skeleton(options.skeleton_name, options, diagnostics);
-    if (!skeleton) return fail(std::move(skeleton.error()));
+  if (auto skeleton = read_named_skeleton(format, options, diagnostics); !skeleton) {
+    return fail(std::move(skeleton.error()));
   }
   return read_bytes(bytes->view(), source_name, asked, std::move(options), diagnostics);
 }

@@ -4,7 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "io/documents.hpp"
 #include "io/file_pieces.hpp"
+#include "kinefile/io.hpp"
 
 namespace kinefile {
 namespace {
@@ -52,6 +54,8 @@ std::optional<Result<Document>> read_large_file(const std::string& path, const F
   options.source_name = path;
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
+  options.companions = files_beside(path, {}, &own);
+  if (!read_named_skeleton(file->format, options, own)) return std::nullopt;
   auto document = file->format->read_pieces(file->pieces.source(), options, own);
   if (!document || !file->pieces.is_unchanged()) return std::nullopt;
   diagnostics.append(std::move(own));

@@ -39,7 +39,7 @@
 #if KINEFILE_HAS_WIDE_MASKS
 namespace kinefile::simd::N_AVX2 {
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out, const char** rows);
+                    std::size_t max_rows, double* out, const char** rows, Separator separator);
 }
 #endif
 
@@ -49,20 +49,27 @@ namespace HWY_NAMESPACE {
 #if KINEFILE_HAS_WIDE_MASKS
 
 NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out, const char** rows) {
-  return N_AVX2::read_all(begin, end, num_columns, max_rows, out, rows);
+                    std::size_t max_rows, double* out, const char** rows, Separator separator) {
+  return N_AVX2::read_all(begin, end, num_columns, max_rows, out, rows, separator);
 }
 
 #elif HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 
 // Without vectors the other reader, which reads byte by byte, is as fast.
-NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, double*,
-                    const char**) {
+NumberRows read_all(const char* begin, const char*, std::size_t, std::size_t, double*, const char**,
+                    Separator) {
   return {0, begin};
 }
 
 #else
 namespace {
+
+/// The bytes that separate tokens, each at the place that its low four bits say; elsewhere stands a
+/// byte that belongs to another place.
+using Separators = std::uint8_t[16];
+alignas(16) constexpr Separators kBlanks = {' ', 0,    0,    0, 0, 0,    0, 0,
+                                            0,   '\t', '\n', 0, 0, '\r', 0, 0};
+alignas(16) constexpr Separators kCommas = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, '\n', 0, ',', '\r', 0, 0};
 
 struct WordMasks {
   std::uint64_t separators = 0;
@@ -70,14 +77,11 @@ struct WordMasks {
   std::uint64_t carriage_returns = 0;
 };
 
-HWY_INLINE WordMasks masks_of(const char* text) {
+HWY_INLINE WordMasks masks_of(const char* text, const Separators& listed) {
   const Bytes d;
   WordMasks masks;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text);
-  // The low four bits choose the separator that a byte must equal.
-  alignas(16) static constexpr std::uint8_t kSeparators[16] = {' ', 0,    0,    0, 0, 0,    0, 0,
-                                                               0,   '\t', '\n', 0, 0, '\r', 0, 0};
-  const auto table = hn::LoadDup128(d, kSeparators);
+  const auto table = hn::LoadDup128(d, listed);
   const auto low = hn::Set(d, 0x0F);
   for (std::size_t i = 0; i < kWord; i += hn::Lanes(d)) {
     const auto v = hn::LoadU(d, bytes + i);
@@ -123,6 +127,7 @@ HWY_INLINE void find_begins(const std::uint64_t* begins, bool has_gaps, Index& i
 
 /// Finds the first rows of a piece, and their tokens.
 /// \param size  bytes, a multiple of kWord
+template <Separator kSeparator>
 HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_columns,
                             Index& index) {
   index.num_tokens = 0;
@@ -133,34 +138,42 @@ HWY_INLINE void index_piece(const char* text, std::size_t size, std::size_t num_
   std::array<std::uint64_t, kPiece / kWord> begins;
   for (std::size_t at = 0; at < size; at += kWord) {
     hwy::Prefetch(text + at + kPrefetch);
-    const WordMasks masks = masks_of(text + at);
+    const WordMasks masks = masks_of(text + at, kSeparator == Separator::Comma ? kCommas : kBlanks);
     const std::uint64_t behind_separator = masks.separators << 1 | separator_before;
     const std::uint64_t behind_return = masks.carriage_returns << 1 | return_before;
-    const std::uint64_t ends = masks.separators & ~behind_separator;
+    std::uint64_t ends = masks.separators & ~behind_separator;
+    std::uint64_t line_ends = masks.line_ends;
     separator_before = masks.separators >> (kWord - 1);
     return_before = masks.carriage_returns >> (kWord - 1);
-    gaps |= masks.separators & behind_separator;
+    const std::uint64_t more_separators = masks.separators & behind_separator;
+    gaps |= more_separators;
     begins[at / kWord] = ~masks.separators & behind_separator;
     if ((behind_return & ~masks.line_ends) != 0) break;  // a CR that is no part of a line end
-    const bool are_rows = append_lines(masks.line_ends, ends, at, num_columns, index);
+    std::uint64_t nothing = 0;                           // where a number is missing
+    if constexpr (kSeparator == Separator::Comma) {
+      nothing = more_separators & ~(behind_return & masks.line_ends);
+      const std::uint64_t before = nothing == 0 ? ~std::uint64_t{0} : (nothing & -nothing) - 1;
+      ends &= before;
+      line_ends &= before;
+    }
+    const bool are_rows = append_lines(line_ends, ends, at, num_columns, index);
     // Rows may end in this word before the line that is none.
     append_places(ends, static_cast<std::uint32_t>(at), &index.ends[index.num_tokens]);
     index.num_tokens += static_cast<std::size_t>(std::popcount(ends));
-    if (!are_rows) break;
+    if (!are_rows || nothing != 0) break;
   }
   index.num_tokens = std::min(index.num_tokens, index.num_rows * num_columns);
   find_begins(begins.data(), gaps != 0, index);
 }
 
-}  // namespace
-
-NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
-                    std::size_t max_rows, double* out, const char** rows) {
+template <Separator kSeparator>
+NumberRows read_separated(const char* begin, const char* end, std::size_t num_columns,
+                          std::size_t max_rows, double* out, const char** rows) {
   const auto index = std::make_unique_for_overwrite<Index>();
   NumberRows read{0, begin};
   while (true) {
     const auto rest = static_cast<std::size_t>(end - read.next);
-    index_piece(read.next, std::min(rest, kPiece) / kWord * kWord, num_columns, *index);
+    index_piece<kSeparator>(read.next, std::min(rest, kPiece) / kWord * kWord, num_columns, *index);
     const std::size_t most = std::min(index->num_rows, max_rows - read.num_rows);
     index->num_tokens = most * num_columns;
     const std::size_t num_tokens =
@@ -173,6 +186,15 @@ NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
     read.num_rows += num_rows;
     if (num_rows < index->num_rows) return read;
   }
+}
+
+}  // namespace
+
+NumberRows read_all(const char* begin, const char* end, std::size_t num_columns,
+                    std::size_t max_rows, double* out, const char** rows, Separator separator) {
+  return separator == Separator::Comma
+             ? read_separated<Separator::Comma>(begin, end, num_columns, max_rows, out, rows)
+             : read_separated<Separator::Blanks>(begin, end, num_columns, max_rows, out, rows);
 }
 
 #endif  // HWY_TARGET
@@ -188,8 +210,9 @@ HWY_EXPORT(read_all);
 }  // namespace
 
 NumberRows read_number_rows(const char* begin, const char* end, std::size_t num_columns,
-                            std::size_t max_rows, double* out, const char** rows) {
-  return HWY_DYNAMIC_DISPATCH(read_all)(begin, end, num_columns, max_rows, out, rows);
+                            std::size_t max_rows, double* out, const char** rows,
+                            Separator separator) {
+  return HWY_DYNAMIC_DISPATCH(read_all)(begin, end, num_columns, max_rows, out, rows, separator);
 }
 
 }  // namespace kinefile::simd

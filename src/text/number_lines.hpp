@@ -3,12 +3,9 @@
 
 #include <cstddef>
 
-namespace kinefile::text {
+#include "simd/number_rows.hpp"
 
-struct NumberLines {
-  std::size_t num_rows = 0;  ///< rows read
-  const char* next = nullptr;
-};
+namespace kinefile::text {
 
 /// Reads lines of numbers that are separated by blanks, exact to the last bit, up to the first line
 /// that is neither a row of plain finite numbers nor empty. Does not allocate for each line.
@@ -17,7 +14,9 @@ struct NumberLines {
 /// \param num_columns  of a row, at least 1
 /// \param max_rows     reading stops after as many rows
 /// \param out          room for these; what lies behind the rows that were read is unspecified
-NumberLines read_number_lines(const char* begin, const char* end, std::size_t num_columns,
-                              std::size_t max_rows, double* out);
+/// \param starts       out: where each row begins; room for `max_rows`; null: not wanted
+simd::NumberRows read_number_lines(const char* begin, const char* end, std::size_t num_columns,
+                                   std::size_t max_rows, double* out,
+                                   const char** starts = nullptr);
 
 }  // namespace kinefile::text

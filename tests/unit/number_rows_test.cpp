@@ -328,5 +328,62 @@ TEST(ReadNumberRows, ReadsRowsLongerThanAPieceOrNone) {
   }
 }
 
+/// Rows between commas, by the reader of rows.
+ReadRows comma_rows_of(const std::string& text, std::size_t num_columns) {
+  ReadRows read;
+  std::vector<const char*> starts(text.size() + 1);
+  read.values.resize((text.size() / (2 * num_columns) + 1) * num_columns);
+  const NumberRows rows = read_number_rows(text.data(), text.data() + text.size(), num_columns,
+                                           text.size() / (2 * num_columns) + 1, read.values.data(),
+                                           starts.data(), Separator::Comma);
+  read.num_rows = rows.num_rows;
+  read.next = static_cast<std::size_t>(rows.next - text.data());
+  read.values.resize(rows.num_rows * num_columns);
+  return read;
+}
+
+std::string with_commas(std::string text) {
+  std::replace(text.begin(), text.end(), ' ', ',');
+  return text;
+}
+
+TEST(ReadCommaRows, AreThoseWithABlankForEachComma) {
+  Tokens tokens(9);
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t num_columns = 1 + tokens.below(60);
+    const std::string line_end = round % 2 == 0 ? "\n" : "\r\n";
+    std::string text;
+    for (std::size_t row = 0; row < 1 + tokens.below(100); ++row) {
+      for (std::size_t c = 0; c < num_columns; ++c) text += (c == 0 ? "" : " ") + tokens.number();
+      text += line_end;
+    }
+    const ReadRows blanks = rows_of(text, num_columns);
+    const ReadRows commas = comma_rows_of(with_commas(text), num_columns);
+    ASSERT_EQ(commas.num_rows, blanks.num_rows);
+    ASSERT_EQ(commas.next, blanks.next);
+    ASSERT_TRUE(same_bits(commas.values, blanks.values, blanks.values.size()));
+  }
+}
+
+TEST(ReadCommaRows, StopAtWhatHasMoreThanOneCommaBetweenNumbers) {
+  std::string rest;
+  for (int i = 0; i < 40; ++i) rest += "1,2,3\n";
+  const std::size_t most = comma_rows_of("4,5,6\n" + rest, 3).num_rows;
+  for (const char* odd :
+       {"4,,5,6", ",4,5,6", "4,5,6,", "4, 5,6", "4 ,5,6", "4 5,6,7", "4,5", "", "4,5,6,7",
+        "\"4\",5,6", "4;5;6", "4,5,x", "4,nan,5", "4\r,5,6", "\t4,5,6", "4,\r,6"}) {
+    const ReadRows read = comma_rows_of("4,5,6\n" + std::string(odd) + "\n" + rest, 3);
+    EXPECT_LE(read.num_rows, 1u) << odd;
+  }
+  // A byte of zeros separates nothing, wherever it stands.
+  EXPECT_EQ(comma_rows_of(std::string("4,5,6\n4\0"
+                                      "5,6\n",
+                                      12) +
+                              rest,
+                          3)
+                .num_rows,
+            std::min<std::size_t>(most, 1));
+}
+
 }  // namespace
 }  // namespace kinefile::simd

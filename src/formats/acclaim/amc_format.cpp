@@ -117,23 +117,40 @@ KeptMotion kept_motion(const AmcHeader& header, const AmcBody& body,
   return kept;
 }
 
-Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& options,
-                                Diagnostics& diagnostics) {
-  auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
-  if (!decoded) return fail(std::move(decoded.error()));
-  const text::Source source(options.source_name, decoded->view());
+/// Frames of a file that are not in the text of its beginning.
+struct RestOfFrames {
+  const ByteSource& bytes;
+  std::size_t offset = 0;  ///< where one begins
+};
+
+/// Reads them behind those of the beginning; false if any of them is not like the first one.
+bool read_rest(const RestOfFrames& rest, AmcBody& body) {
+  if (!body.like) return false;
+  const auto count = read_like_frames(*body.like, rest.bytes, rest.offset,
+                                      body.last_frame_number + 1, body.values);
+  body.num_frames += count.value_or(0);
+  return count.has_value();
+}
+
+/// Reads a motion. Fails without an error if the rest is to be read in another way.
+/// \param rest  more frames, behind the text; null: there are none
+std::optional<Document> read_amc_text(const text::DecodedText& decoded, const RestOfFrames* rest,
+                                      const ReadOptions& options, Diagnostics& diagnostics) {
+  const text::Source source(options.source_name, decoded.view());
   Parser parser{source, options.lenient, diagnostics, Lexer(source.text())};
   const AmcHeader header = parse_amc_header(parser);
   auto found = options.skeleton != nullptr ? skeleton_of_options(header, options, diagnostics)
                                            : skeleton_beside(header, source, options, diagnostics);
-  if (!found) return fail(std::move(found.error()));
-
+  if (!found) {
+    if (!diagnostics.has_errors()) diagnostics.add(found.error());
+    return std::nullopt;
+  }
   Motion motion;
   motion.skeleton = std::move(found->skeleton);
   if (header.angle) tell_angles_in(*header.angle, motion.skeleton);
   const std::vector<BoneColumns> bones = columns_of_bones(motion.skeleton);
   AmcBody body = parse_amc_body(parser, bones, found->name);
-  if (diagnostics.has_errors()) return fail(diagnostics.first_error());
+  if (diagnostics.has_errors() || (rest != nullptr && !read_rest(*rest, body))) return std::nullopt;
   motion.clip.timeline = timeline_of(header, source, options, diagnostics);
   motion.clip.timeline.first_frame_number = body.first_frame_number;
   motion.clip.num_frames = body.num_frames;
@@ -144,9 +161,32 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
   kept.skeleton_name = found->name;
   Document document;
   document.format = "amc";
-  document.kept = Kept(KeptFile{layout_of(*decoded), std::move(found->kept), std::move(kept)});
+  document.kept = Kept(KeptFile{layout_of(decoded), std::move(found->kept), std::move(kept)});
   document.content = std::move(motion);
   return document;
+}
+
+Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& options,
+                                Diagnostics& diagnostics) {
+  const auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
+  if (!decoded) return fail(decoded.error());
+  auto document = read_amc_text(*decoded, nullptr, options, diagnostics);
+  if (!document) return fail(diagnostics.first_error());
+  return *std::move(document);
+}
+
+std::optional<Result<Document>> read_amc_pieces(const ByteSource& bytes, const ReadOptions& options,
+                                                Diagnostics& diagnostics) {
+  Array<char> head;
+  if (!text::read_head(bytes, text::kFirstHead, head)) return std::nullopt;
+  head.resize(last_frame_in({head.data(), head.size()}));
+  const auto decoded =
+      text::decode({head.data(), head.size()}, options.encoding, options.source_name, diagnostics);
+  if (!decoded || !decoded->storage.empty()) return std::nullopt;
+  const RestOfFrames rest{bytes, head.size()};
+  auto document = read_amc_text(*decoded, &rest, options, diagnostics);
+  if (!document || diagnostics.has_errors()) return std::nullopt;
+  return *std::move(document);
 }
 
 Result<Document> read_amc(std::string_view bytes, const ReadOptions& options,
@@ -210,6 +250,7 @@ Format amc_format() {
   format.companion = "asf";
   format.probe = probe_amc;
   format.read = read_amc;
+  if (kReadsInBlocks) format.read_pieces = read_amc_pieces;
   format.write = write_amc;
   format.facts = facts;
   format.takes_skeleton = true;

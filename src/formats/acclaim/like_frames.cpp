@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "formats/acclaim/like_frames.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <utility>
 
+#include "text/numbers.hpp"
 #include "text/row_template.hpp"
 
 namespace kinefile::acclaim {
 namespace {
-
-constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
 
 /// Whether a frame's number is written in digits alone, without zeros in front.
 bool is_number_at(const char* at, const char* end, std::int64_t number) {
@@ -21,40 +21,79 @@ bool is_number_at(const char* at, const char* end, std::int64_t number) {
          simd::is_separator(at[size]);
 }
 
+/// The number of a frame, if a line has nothing else.
+const char* number_in_line(const char* line, const char* end) {
+  const char* at = line + (line != end && *line == '-' ? 1 : 0);
+  const char* const digits = at;
+  while (at != end && *at >= '0' && *at <= '9') ++at;
+  const bool is_alone = at != digits && std::all_of(at, end, text::is_line_end);
+  return is_alone ? line : nullptr;
+}
+
+/// Appends the first frames of a piece, those that are numbered without a gap; returns how many.
+/// \param number  in: of the first one; out: of the next one
+std::size_t append_frames(const LikeFrames& like, const text::RowPiece& piece, std::int64_t& number,
+                          Array<double>& values) {
+  std::size_t count = 0;
+  while (count < piece.starts.size() && is_number_at(piece.starts[count], piece.end, number)) {
+    ++count;
+    ++number;
+  }
+  double* row = values.grow(count * like.num_columns).data();
+  for (std::size_t i = 0; i < count; ++i, row += like.num_columns) {
+    put_in_columns(like.columns, piece.values.data() + i * (like.num_columns + 1) + 1, row);
+  }
+  return count;
+}
+
 }  // namespace
 
 std::optional<LikeFrames> like_frames(std::string_view first_frame,
                                       std::span<const std::size_t> columns) {
-  auto frame = text::template_of_row(first_frame, columns.size() + 1);
+  const auto frame = text::template_of_row(first_frame, columns.size() + 1);
   if (!frame) return std::nullopt;
-  return LikeFrames{std::move(*frame), column_runs(columns), columns.size()};
+  LikeFrames like{text::template_row_reader(*frame), column_runs(columns), columns.size()};
+  like.reader.row_in_line = number_in_line;
+  return like;
 }
 
 ReadFrames read_like_frames(const LikeFrames& like, const char* begin, const char* end,
                             std::int64_t number, Array<double>& values) {
-  const std::size_t num_columns = like.num_columns;
-  const std::size_t most = kSomeNumbers / (num_columns + 1) + 1;
-  Array<double> numbers(most * (num_columns + 1));
-  std::vector<const char*> places(most);
-  ReadFrames read{0, begin, begin};
-  while (true) {
-    const simd::NumberRows rows = simd::read_template_rows(read.next, end, like.frame, most,
-                                                           numbers.mutate().data(), places.data());
-    std::size_t count = 0;
-    while (count < rows.num_rows &&
-           is_number_at(places[count], end, number + static_cast<std::int64_t>(count))) {
-      ++count;
-    }
-    double* row = values.grow(count * num_columns).data();
-    for (std::size_t i = 0; i < count; ++i, row += num_columns) {
-      put_in_columns(like.columns, numbers.data() + i * (num_columns + 1) + 1, row);
-    }
+  ReadFrames read{0, begin};
+  text::read_row_pieces(begin, end, like.reader, [&](const text::RowPiece& piece) {
+    const std::size_t count = append_frames(like, piece, number, values);
     read.num_frames += count;
-    number += static_cast<std::int64_t>(count);
-    if (count > 0) read.last = places[count - 1];
-    read.next = count < rows.num_rows ? places[count] : rows.next;
-    if (count < most) return read;
+    if (count > 0) read.last = piece.starts[count - 1];
+    return count == piece.starts.size();
+  });
+  return read;
+}
+
+std::optional<std::size_t> read_like_frames(const LikeFrames& like, const ByteSource& bytes,
+                                            std::size_t offset, std::int64_t number,
+                                            Array<double>& values) {
+  std::size_t num_frames = 0;
+  const auto use = [&](const text::RowPiece& piece) {
+    if (num_frames == 0 && !piece.starts.empty()) {
+      // As many frames as if all were as long as the first ones.
+      const std::size_t num_pieces = (bytes.size - offset) / piece.num_bytes + 2;
+      values.reserve(values.size() + num_pieces * piece.starts.size() * like.num_columns);
+    }
+    num_frames += piece.starts.size();
+    return append_frames(like, piece, number, values) == piece.starts.size();
+  };
+  const auto end = text::read_row_pieces(bytes, offset, like.reader, use);
+  if (end != text::PiecesEnd::AllRead) return std::nullopt;
+  return num_frames;
+}
+
+std::size_t last_frame_in(std::string_view head) {
+  for (std::size_t end = head.size(); end > 1;) {
+    const std::size_t line = head.rfind('\n', end - 2) + 1;  // 0 if there is none
+    if (number_in_line(head.data() + line, head.data() + end) != nullptr) return line;
+    end = line;
   }
+  return 0;
 }
 
 }  // namespace kinefile::acclaim

@@ -383,6 +383,8 @@ AmcBody parse_amc_body(Parser& parser, const std::vector<BoneColumns>& bones,
   }
   finish_frame(body);
   body.close_rows();
+  body.out.last_frame_number = body.number;
+  body.out.like = std::move(body.like);
   const bool is_blank =
       parser.source.text().find_first_not_of(" \t\v\f\r\n") == std::string_view::npos;
   if (is_blank) {

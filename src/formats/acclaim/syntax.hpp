@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/acclaim/like_frames.hpp"
 #include "kinefile/array.hpp"
 #include "kinefile/skeleton.hpp"
 
@@ -117,7 +118,9 @@ struct AmcBody {
   Array<double> values;  ///< [frame][column]
   std::size_t num_frames = 0;
   std::int64_t first_frame_number = 1;
+  std::int64_t last_frame_number = 1;
   std::vector<std::size_t> bone_order;  ///< of the first frame, as indices of BoneColumns
+  std::optional<LikeFrames> like;       ///< how frames like the first one are read
 };
 
 /// Within these limits, frames a second and the times of frames are finite numbers.

@@ -273,7 +273,7 @@ const char* read_good_lines(Rows& rows, const char* begin) {
   for (bool is_more = true; is_more;) {
     const std::size_t most = rows_at_once(rows, p);
     double* const out = rows.file().values.grow(most * rows.num_columns).data();
-    const text::NumberLines read =
+    const simd::NumberRows read =
         text::read_number_lines(p, rows.end(), rows.num_columns, most, out);
     rows.file().num_frames += read.num_rows;
     rows.num_seen += read.num_rows;

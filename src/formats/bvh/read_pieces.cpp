@@ -8,23 +8,11 @@
 
 #include "formats/bvh/parser.hpp"
 #include "formats/bvh/positions.hpp"
-#include "formats/row_pieces.hpp"
 #include "text/decode.hpp"
+#include "text/row_pieces.hpp"
 
 namespace kinefile::bvh {
 namespace {
-
-/// How much of a file is looked at for the beginning of its rows, at first and at the most.
-constexpr std::size_t kFirstHead = std::size_t{1} << 16;
-constexpr std::size_t kMostHead = std::size_t{1} << 24;
-
-/// Reads bytes up to the last line end among the first ones.
-bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head) {
-  head.resize(std::min(size, bytes.size));
-  if (!bytes.read(0, head.mutate())) return false;
-  while (!head.empty() && head.back() != '\n') head.resize(head.size() - 1);
-  return !head.empty();
-}
 
 /// What is known before the rows are read.
 struct Head {
@@ -59,8 +47,8 @@ std::unique_ptr<Head> parse_head(std::string_view bytes, const kinefile::ReadOpt
 /// \param bytes  in: the file; out: its beginning is in `text`, which the result points into
 std::unique_ptr<Head> find_head(const ByteSource& bytes, const kinefile::ReadOptions& options,
                                 bool are_strict, Array<char>& text) {
-  for (std::size_t size = kFirstHead; size <= kMostHead; size *= 16) {
-    if (!read_head(bytes, size, text)) return nullptr;
+  for (std::size_t size = text::kFirstHead; size <= text::kMostHead; size *= 16) {
+    if (!text::read_head(bytes, size, text)) return nullptr;
     auto head = parse_head({text.data(), text.size()}, options, are_strict);
     if (head != nullptr || size >= bytes.size) return head;
   }
@@ -92,25 +80,26 @@ std::optional<PlainFile> find_plain_file(const ByteSource& bytes,
 /// \param offset  where they begin
 bool read_all_rows(const ByteSource& bytes, std::size_t offset, File& file) {
   std::size_t num_bytes = 0;
-  const auto use = [&](std::span<const double> rows, std::size_t piece_bytes) {
-    num_bytes += piece_bytes;
-    if (file.num_frames == 0 && !rows.empty()) {
+  const auto use = [&](const text::RowPiece& piece) {
+    num_bytes += piece.num_bytes;
+    if (file.num_frames == 0 && !piece.values.empty()) {
       // As many rows as if all were as long as the first ones.
       const std::size_t num_pieces = (bytes.size - offset) / num_bytes + 1;
-      file.values.reserve(rows.size() * (num_pieces + 1));
+      file.values.reserve(piece.values.size() * (num_pieces + 1));
     }
-    file.values.append(rows);
-    file.num_frames += rows.size() / file.num_columns;
+    file.values.append(piece.values);
+    file.num_frames += piece.starts.size();
     return true;
   };
-  return read_row_pieces(bytes, offset, file.num_columns, use) == PiecesEnd::AllRead;
+  const text::RowReader reader = text::number_line_reader(file.num_columns);
+  return text::read_row_pieces(bytes, offset, reader, use) == text::PiecesEnd::AllRead;
 }
 
 /// The frames that guesses are made from.
-bool read_sample(const IndexedRows& rows, File& file) {
+bool read_sample(const text::IndexedRows& rows, File& file) {
   const std::size_t step = sample_step(rows.num_rows());
   for (std::size_t row = 0; row < rows.num_rows(); row += step) {
-    if (!read_rows(rows, row, 1, file.values.grow(file.num_columns).data())) return false;
+    if (!text::read_rows(rows, row, 1, file.values.grow(file.num_columns).data())) return false;
     ++file.num_frames;
   }
   return true;
@@ -140,17 +129,17 @@ double estimated_bytes(const PlainFile& plain) {
 }
 
 /// The rows of a file, some at a time.
-FrameSource frames_of(IndexedRows&& rows, const std::string& name) {
+FrameSource frames_of(text::IndexedRows&& rows, const std::string& name) {
   struct Reader {
-    IndexedRows rows;
+    text::IndexedRows rows;
     std::string name;
     Array<double> values = {};
   };
-  FrameSource frames{rows.num_rows(), rows.num_columns};
+  FrameSource frames{rows.num_rows(), rows.reader.num_columns};
   const auto reader = std::make_shared<Reader>(Reader{std::move(rows), name});
   frames.rows = [reader](std::size_t first, std::size_t count) -> Result<std::span<const double>> {
-    reader->values.resize(count * reader->rows.num_columns);
-    if (!read_rows(reader->rows, first, count, reader->values.mutate().data())) {
+    reader->values.resize(count * reader->rows.reader.num_columns);
+    if (!text::read_rows(reader->rows, first, count, reader->values.mutate().data())) {
       return fail(make_error(ErrorKind::Io, "IO001",
                              "cannot read: the file changed while it was read", reader->name));
     }
@@ -179,7 +168,7 @@ std::optional<LongMotion> open_frames(const ByteSource& bytes, double most_bytes
   auto plain = find_plain_file(bytes, options, diagnostics.warnings_are_errors);
   if (!plain || estimated_bytes(*plain) <= most_bytes_in_memory) return std::nullopt;
   File& file = plain->head->file;
-  auto rows = index_rows(bytes, plain->offset, file.num_columns);
+  auto rows = text::index_rows(bytes, plain->offset, text::number_line_reader(file.num_columns));
   if (!rows || !read_sample(*rows, file)) return std::nullopt;
   auto document = plain_document(*plain, rows->num_rows(), options, diagnostics);
   if (!document) return std::nullopt;

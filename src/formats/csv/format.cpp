@@ -102,7 +102,10 @@ Format format() {
   format.probe = probe;
   format.read = read;
   format.write = write;
-  if (kReadsInBlocks) format.write_frames = write_frames;
+  if (kReadsInBlocks) {
+    format.read_pieces = read_pieces;
+    format.write_frames = write_frames;
+  }
   format.facts = facts_of_layout;
   format.write_poses = write_poses;
   format.takes_skeleton = true;

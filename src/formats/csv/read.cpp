@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/csv/columns.hpp"
@@ -60,29 +61,46 @@ bool parse_row(const TableReader& reader, text::CsvFields& fields, std::vector<d
                  start);
     return false;
   }
-  rows.append(values, start);
+  rows.append(values, start, reader.source.end());
   fields.take_line_end();
   return true;
 }
 
+/// Whether a row has one comma between each two numbers, and nothing else.
+bool has_only_commas(std::string_view text, const simd::RowTemplate& row) {
+  const std::span<const std::uint32_t> gaps(row.gap_sizes());
+  const std::span<const std::uint32_t> inner = gaps.subspan(1, gaps.size() - 2);
+  const auto num_commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+  return gaps.front() == 0 && num_commas == inner.size() &&
+         std::all_of(inner.begin(), inner.end(), [](std::uint32_t size) { return size == 1; });
+}
+
+/// How rows like the first one are read; empty if its text has other numbers beside its own.
+/// \param end  of its text
+std::optional<text::RowReader> reader_like_first(const TableRows& rows, const char* end) {
+  const char* const first = rows.starts.front();
+  const std::string_view text(first, static_cast<std::size_t>(end - first));
+  const auto row = text::template_of_row(text, rows.num_columns);
+  if (!row) return std::nullopt;
+  return has_only_commas(text, *row) ? text::comma_row_reader(rows.num_columns)
+                                     : text::template_row_reader(*row);
+}
+
 /// Reads the rows; false after an error.
-bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows) {
-  std::optional<simd::RowTemplate> plain;
+/// \param like  out: how rows like the first one are read, if they can be
+bool parse_rows(const TableReader& reader, text::CsvFields& fields, TableRows& rows,
+                std::optional<text::RowReader>& like) {
   text::Attempts attempts;
   std::vector<double> values;
   while (!fields.is_at_end()) {
-    if (!simd::kReadsTemplateRows || rows.starts.empty() || !attempts.is_due()) {
+    if (!simd::kReadsTemplateRows || !like || !attempts.is_due()) {
+      const bool is_first = rows.starts.empty();
       if (!parse_row(reader, fields, values, rows)) return false;
+      if (is_first && !rows.starts.empty()) like = reader_like_first(rows, fields.position());
       continue;
     }
     const char* const begin = fields.position();
-    if (!plain) {
-      const char* const first = rows.starts.front();
-      plain =
-          text::template_of_row({first, static_cast<std::size_t>(begin - first)}, rows.num_columns)
-              .value_or(simd::RowTemplate());
-    }
-    fields.move_to(append_like_rows(begin, reader.source.end(), *plain, rows));
+    fields.move_to(append_rows(begin, reader.source.end(), *like, rows));
     attempts.made(fields.position() != begin);
   }
   return true;
@@ -128,14 +146,27 @@ void check_quaternions(const TableReader& reader, const Component& component,
                          reader.diagnostics);
 }
 
+/// A part of a file that is not in the text of its beginning.
+struct Rest {
+  const ByteSource& bytes;
+  std::size_t offset = 0;
+};
+
 /// Reads the components of a robot's motion after a header; empty after an error.
+/// \param rest  more rows, behind the text; null: there are none
 std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& fields,
-                                    const std::vector<text::CsvField>& header) {
+                                    const std::vector<text::CsvField>& header, const Rest* rest) {
   const std::vector<Group> groups = parse_header(reader, header);
   TableRows rows;
   rows.num_columns = header.size();
   for (const Group& group : groups) rows.add_part(group.columns);
-  if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows)) return std::nullopt;
+  std::optional<text::RowReader> like;
+  if (reader.diagnostics.has_errors() || !parse_rows(reader, fields, rows, like)) {
+    return std::nullopt;
+  }
+  const bool are_all = rest == nullptr || (like && append_rows(rest->bytes, rest->offset, *like,
+                                                               reader.source.end(), rows));
+  if (!are_all) return std::nullopt;
   const auto timeline =
       timeline_of_rows(reader.source, rows, reader.options.fps,
                        {"CSV006", "CSV007", "CSV016", "CSV021", "CSV022"}, reader.diagnostics);
@@ -149,6 +180,14 @@ std::optional<BodyMotion> read_body(const TableReader& reader, text::CsvFields& 
   return motion;
 }
 
+/// A table and its kept data, without its content.
+Document table_document(const text::DecodedText& decoded) {
+  Document document;
+  document.format = "csv";
+  document.kept = Kept(layout_of(decoded));
+  return document;
+}
+
 Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions& options,
                             Diagnostics& diagnostics) {
   auto decoded = text::decode(bytes, options.encoding, options.source_name, diagnostics);
@@ -158,18 +197,45 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
   text::CsvFields fields(source.text());
   const std::vector<text::CsvField> header = fields.take_record();
   if (!reader.are_quotes_good(fields)) return fail(diagnostics.first_error());
-  Document document;
-  document.format = "csv";
-  document.kept = Kept(layout_of(*decoded));
+  Document document = table_document(*decoded);
   if (is_flow_header(header, options.project.get())) {
     auto flow = read_flow(reader, fields, header);
     if (!flow) return fail(diagnostics.first_error());
     document.content = std::move(*flow);
   } else {
-    auto motion = read_body(reader, fields, header);
+    auto motion = read_body(reader, fields, header, nullptr);
     if (!motion) return fail(diagnostics.first_error());
     document.content = std::move(*motion);
   }
+  return document;
+}
+
+/// Whether nothing is said of a place behind a text, of which only the beginning is there.
+bool are_all_within(const Diagnostics& diagnostics, const text::Source& source) {
+  const std::size_t end = source.place_of(source.end()).line;
+  return std::none_of(diagnostics.items().begin(), diagnostics.items().end(),
+                      [end](const Diagnostic& item) { return item.place.line >= end; });
+}
+
+/// Reads a table whose first rows are in memory.
+std::optional<Document> read_after(std::string_view head, const ByteSource& bytes,
+                                   const kinefile::ReadOptions& options, Diagnostics& diagnostics) {
+  const auto decoded = text::decode(head, options.encoding, options.source_name, diagnostics);
+  if (!decoded || !decoded->storage.empty()) return std::nullopt;
+  const text::Source source(options.source_name, decoded->view());
+  const TableReader reader{source, options, diagnostics};
+  text::CsvFields fields(source.text());
+  const std::vector<text::CsvField> header = fields.take_record();
+  const bool is_plain = reader.are_quotes_good(fields) && !fields.is_at_end() &&
+                        !is_flow_header(header, options.project.get());
+  if (!is_plain) return std::nullopt;
+  const Rest rest{bytes, head.size()};
+  auto motion = read_body(reader, fields, header, &rest);
+  if (!motion || diagnostics.has_errors() || !are_all_within(diagnostics, source)) {
+    return std::nullopt;
+  }
+  Document document = table_document(*decoded);
+  document.content = std::move(*motion);
   return document;
 }
 
@@ -178,6 +244,16 @@ Result<Document> read_alone(std::string_view bytes, const kinefile::ReadOptions&
 Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics) {
   return read_with_own_diagnostics(read_alone, bytes, options, diagnostics);
+}
+
+std::optional<Result<Document>> read_pieces(const ByteSource& bytes,
+                                            const kinefile::ReadOptions& options,
+                                            Diagnostics& diagnostics) {
+  Array<char> head;
+  if (!text::read_head(bytes, text::kFirstHead, head)) return std::nullopt;
+  auto document = read_after({head.data(), head.size()}, bytes, options, diagnostics);
+  if (!document) return std::nullopt;
+  return *std::move(document);
 }
 
 }  // namespace kinefile::csv

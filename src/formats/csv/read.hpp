@@ -11,4 +11,11 @@ namespace kinefile::csv {
 Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& options,
                       Diagnostics& diagnostics);
 
+/// Reads such a table of a robot's motion without holding its text (see `Format::read_pieces`):
+/// UTF-8, with rows whose text differs from the first one's in the numbers alone, and without
+/// anything to say of later rows.
+std::optional<Result<Document>> read_pieces(const ByteSource& bytes,
+                                            const kinefile::ReadOptions& options,
+                                            Diagnostics& diagnostics);
+
 }  // namespace kinefile::csv

@@ -67,11 +67,12 @@ struct TableParser {
 
   bool parse_rows(TableRows& rows) {
     const char* p = source.text().data();
+    text::RowReader reader;
     std::vector<double> values;
     text::Attempts attempts;
     while (p != source.end()) {
       if (simd::kReadsTemplateRows && !rows.starts.empty() && attempts.is_due()) {
-        const char* const next = append_number_rows(p, source.end(), rows);
+        const char* const next = append_rows(p, source.end(), reader, rows);
         attempts.made(next != p);
         p = next;
         continue;
@@ -87,7 +88,10 @@ struct TableParser {
       if (p == nullptr) return false;
       const std::size_t count = values.size();
       if (count == 0) continue;  // an empty line
-      if (rows.starts.empty()) start_rows(count, rows);
+      if (rows.starts.empty()) {
+        start_rows(count, rows);
+        reader = text::number_line_reader(count);
+      }
       if (count != rows.num_columns || count < 2) {
         error(code::kOtherColumns,
               rows.starts.empty()
@@ -97,7 +101,7 @@ struct TableParser {
               start);
         return false;
       }
-      rows.append(values, start);
+      rows.append(values, start, source.end());
     }
     if (rows.starts.empty()) {
       error(code::kNoRows, "expected rows of a time and numbers, found none", source.end());

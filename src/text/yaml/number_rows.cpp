@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "text/numbers.hpp"
 #include "text/row_template.hpp"
 
@@ -39,15 +40,18 @@ bool is_alone(const char* p, const char* end, bool is_in_flow) {
   return p == end || is_line_end(*p) || (*p == '#' && p != behind);
 }
 
-/// The bracket of the row in the next line, if a line end, a hyphen and blanks are all that stands
-/// between.
-const char* next_row(const char* p, const char* end) {
-  p += p != end && *p == '\r';
-  if (p == end || *p != '\n') return nullptr;
-  const char* const hyphen = std::find_if_not(p + 1, end, is_blank);
+/// The bracket of the row in a line, if a hyphen and blanks are all that stands before it.
+const char* row_in_line(const char* line, const char* end) {
+  const char* const hyphen = std::find_if_not(line, end, is_blank);
   if (hyphen == end || *hyphen != '-') return nullptr;
   const char* const bracket = std::find_if_not(hyphen + 1, end, is_blank);
   return bracket != end && *bracket == '[' ? bracket : nullptr;
+}
+
+/// The bracket of the row in the next line, if no more than a line end stands before that.
+const char* next_row(const char* p, const char* end) {
+  p += p != end && *p == '\r';
+  return p != end && *p == '\n' ? row_in_line(p + 1, end) : nullptr;
 }
 
 /// The lines of a row after its first.
@@ -107,28 +111,44 @@ void NumberRows::learn_row(const char* begin, const char* row_end, const char* e
   auto row = template_of_row({begin, static_cast<std::size_t>(next - begin)}, num_values_[shape]);
   if (!row || row->num_columns() == 0) return;
   const auto tail = static_cast<std::size_t>(next - row_end);
-  like_ = {std::move(*row), tail, tail - (*row_end == '\r' ? 2 : 1), shape, next};
+  like_ = {template_row_reader(*row), tail, tail - (*row_end == '\r' ? 2 : 1), shape, next};
+  like_.reader.row_in_line = row_in_line;
 }
 
 /// Takes rows that are like one before them, many at once; whether there are any.
 bool NumberRows::take_like_rows(Cursor& cursor, std::size_t& shape, std::size_t& num_rows) {
   constexpr std::size_t kSomeNumbers = std::size_t{1} << 14;
-  const std::size_t num_columns = like_.row.num_columns();
+  const std::size_t num_columns = like_.reader.num_columns;
   const std::size_t most = kSomeNumbers / num_columns + 1;
   const std::size_t num_before = values_.size();
-  if (begins_.size() < most + 1) begins_.resize(most + 1);
+  begins_.resize(most);
   double* const out = values_.grow(most * num_columns).data();
-  const simd::NumberRows read = simd::read_template_rows(cursor.position(), cursor.end(), like_.row,
-                                                         most, out, begins_.data());
-  num_rows = read.num_rows;
-  values_.resize(num_before + num_rows * num_columns);
-  begins_[num_rows] = read.next;
-  like_.next = num_rows == most ? read.next : nullptr;
-  if (num_rows == 0) return false;
+  const simd::NumberRows read =
+      like_.reader.read(cursor.position(), cursor.end(), most, out, begins_.data());
+  values_.resize(num_before + read.num_rows * num_columns);
+  begins_.resize(read.num_rows);
+  like_.next = nullptr;
+  if (read.num_rows == 0) return false;
   attempts_.made(true);
-  cursor.jump(read.next - like_.tail, num_rows - 1, begins_[num_rows - 1] - like_.indent);
+  const char* next = read.next;
+  if (read.num_rows == most) next = like_.next = take_more_rows(next, cursor.end());
+  num_rows = begins_.size();
+  cursor.jump(next - like_.tail, num_rows - 1, begins_.back() - like_.indent);
+  begins_.push_back(next);
   shape = last_shape_ = like_.shape;
   return true;
+}
+
+/// Takes more of such rows, on all cores; returns the place behind them.
+const char* NumberRows::take_more_rows(const char* begin, const char* end) {
+  constexpr std::ptrdiff_t kMostBytes = std::ptrdiff_t{1} << 23;  // they are held once more
+  if (free_threads() == 1) return begin;
+  return read_row_pieces(begin, begin + std::min(end - begin, kMostBytes), like_.reader,
+                         [this](const RowPiece& piece) {
+                           values_.append(piece.values);
+                           begins_.insert(begins_.end(), piece.starts.begin(), piece.starts.end());
+                           return true;
+                         });
 }
 
 std::span<const double> NumberRows::pop(std::size_t shape, std::size_t num_rows) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kinefile/array.hpp"
-#include "simd/template_rows.hpp"
 #include "text/attempts.hpp"
+#include "text/row_pieces.hpp"
 #include "text/yaml/characters.hpp"
 
 namespace kinefile::text::yaml {
@@ -48,7 +48,7 @@ class NumberRows {
  private:
   /// What rows may be like.
   struct LikeRows {
-    simd::RowTemplate row;   ///< from a row's bracket to that of the next one
+    RowReader reader;        ///< of rows from a bracket to the next one's
     std::size_t tail = 0;    ///< bytes between a row and the next one
     std::size_t indent = 0;  ///< of these, the bytes in the line of the next one
     std::size_t shape = 0;
@@ -59,6 +59,7 @@ class NumberRows {
   std::size_t index_of_shape();
   void learn_row(const char* begin, const char* row_end, const char* end, std::size_t shape);
   bool take_like_rows(Cursor& cursor, std::size_t& shape, std::size_t& num_rows);
+  const char* take_more_rows(const char* begin, const char* end);
 
   LikeRows like_;
   Attempts attempts_;                ///< to read rows that are like one

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "checks.hpp"
+#include "pieces.hpp"
 
 namespace {
 
@@ -45,6 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Diagnostics diagnostics;
   const auto document = find_format("amc")->read(bytes, options, diagnostics);
   check_reading(document, diagnostics);
+  check_pieces("amc", bytes, options, document, diagnostics);
   if (!document) return 0;
   check_document(*document);
   const std::string text = written(*document, "amc");

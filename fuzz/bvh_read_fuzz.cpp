@@ -8,42 +8,12 @@
 
 #include "checks.hpp"
 #include "kinefile/bvh.hpp"
+#include "pieces.hpp"
 
 namespace {
 
 using namespace kinefile;
 using namespace kinefile::fuzz;
-
-ByteSource source_of(std::string_view bytes) {
-  ByteSource source;
-  source.size = bytes.size();
-  source.read = [bytes](std::size_t offset, std::span<char> out) {
-    require(offset + out.size() <= bytes.size());
-    std::copy_n(bytes.data() + offset, out.size(), out.data());
-    return true;
-  };
-  return source;
-}
-
-void check_messages(const Diagnostics& found, const Diagnostics& of_whole) {
-  require(found.items().size() == of_whole.items().size());
-  for (std::size_t i = 0; i < found.items().size(); ++i) {
-    require(to_string(found.items()[i]) == to_string(of_whole.items()[i]));
-  }
-}
-
-/// What is read by pieces is what is read whole, with the same messages.
-void check_pieces(std::string_view bytes, const ReadOptions& options, const Result<Document>& whole,
-                  const Diagnostics& of_whole) {
-  Diagnostics diagnostics;
-  const auto pieces = find_format("bvh")->read_pieces(source_of(bytes), options, diagnostics);
-  if (!pieces) return;
-  require(pieces->has_value() && whole.has_value());
-  check_messages(diagnostics, of_whole);
-  const Motion& a = std::get<Motion>((*pieces)->content);
-  const Motion& b = std::get<Motion>(whole->content);
-  require(a.clip.num_frames == b.clip.num_frames && same_values(a.clip.values, b.clip.values));
-}
 
 /// The same for frames that are read when they are asked for: all of them, and those from one on.
 void check_frames(std::string_view bytes, const ReadOptions& options, const Result<Document>& whole,
@@ -78,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const auto document = find_format("bvh")->read(bytes, options, diagnostics);
   check_reading(document, diagnostics);
-  check_pieces(bytes, options, document, diagnostics);
+  check_pieces("bvh", bytes, options, document, diagnostics);
   check_frames(bytes, options, document, diagnostics);
   if (document) check_document(*document);
   return 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checks.hpp"
+#include "pieces.hpp"
 
 namespace {
 
@@ -61,6 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Diagnostics diagnostics;
   const auto document = find_format("csv")->read(bytes, options, diagnostics);
   check_reading(document, diagnostics);
+  check_pieces("csv", bytes, options, document, diagnostics);
   if (document) check_document(*document);
   return 0;
 }

@@ -138,6 +138,9 @@ void read_piece(const ByteSource& bytes, std::size_t begin, bool is_first, const
   piece.num_rows = piece.num_bytes = 0;
   piece.end = PiecesEnd::AllRead;
   piece.text.clear();
+  if (bytes.view.data() == nullptr) {
+    piece.text.reserve(kBytesOfPiece + 16 * kMoreBytes);  // so that it need not grow, usually
+  }
   const std::size_t limit = std::min(begin + kBytesOfPiece, bytes.size);
   Window window{bytes, is_first ? begin : begin - 1, piece.text};
   piece.next = limit;
@@ -291,6 +294,17 @@ bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head) {
   if (!bytes.read(0, head.mutate())) return false;
   while (!head.empty() && head.back() != '\n') head.resize(head.size() - 1);
   return !head.empty();
+}
+
+Array<char> read_head_to(const ByteSource& bytes, std::size_t (*end_of)(std::string_view lines)) {
+  Array<char> head;
+  for (std::size_t size = kFirstHead; size <= kMostHead; size *= 16) {
+    if (!read_head(bytes, size, head)) break;
+    const std::size_t end = end_of({head.data(), head.size()});
+    head.resize(end);
+    if (end > 0 || size >= bytes.size) return head;
+  }
+  return {};
 }
 
 }  // namespace kinefile::text

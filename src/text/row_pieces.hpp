@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "kinefile/array.hpp"
@@ -85,11 +86,15 @@ std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offse
 bool read_rows(const IndexedRows& rows, std::size_t first, std::size_t count, double* out);
 
 /// How much of a file is looked at for the beginning of its rows: at first, and at the most.
-inline constexpr std::size_t kFirstHead = std::size_t{1} << 16, kMostHead = std::size_t{1} << 24;
+inline constexpr std::size_t kFirstHead = std::size_t{1} << 18, kMostHead = std::size_t{1} << 24;
 
 /// Reads a file's first bytes up to a line end, at most `size`; all of them if there are no more.
 /// \param head  out: bytes; not empty
 /// \returns     false after a fault, and if there is no line end
 bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head);
+
+/// Reads as much of a file's beginning as has an end that is looked for; empty if there is none.
+/// \param end_of  the number of bytes that are wanted of some lines; 0 if more are needed
+Array<char> read_head_to(const ByteSource& bytes, std::size_t (*end_of)(std::string_view lines));
 
 }  // namespace kinefile::text

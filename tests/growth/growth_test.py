@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """How the work of parsers and commands grows with their input: instructions, which valgrind counts, at
-two sizes. Work that grows with the power 1.25 or more fails. With --sizes, processor time and memory are
-measured instead, for a table:  growth_test.py --kinefile K --sizes 4000 64000"""
+two sizes. Work that grows with the power 1.25 or more fails. The main jobs take ten times the work, within
+a twentieth, for ten times as many more frames, joints or files; and many files need no more memory than
+some. With --sizes, processor time and memory are measured instead, for a table:
+growth_test.py --kinefile K --sizes 4000 64000"""
 
 import argparse
 import concurrent.futures
@@ -80,6 +82,13 @@ COMMANDS = {
     "robovie blocks": [["run", "@", "-o", "o.csv"], ["graph", "@"], ["edit", "@", "reverse", "-o", "o.txt"],
                        ["convert", "@", "o.json"]],
 }
+# Jobs whose work is in proportion to the frames or joints: so many, as many again, and ten times as many more.
+PROPORTIONAL = {
+    "many frames": ((lambda n: inputs.bvh(20, n), "a.bvh"), 8000,
+                    [["check", "@"], ["fk", "@"], ["convert", "@", "o.bvh"]]),
+    "many joints": ((lambda n: inputs.bvh(n, 600), "a.bvh"), 200, [["fk", "@"], ["convert", "@", "o.bvh"]]),
+}
+MOST_DEVIATION = 0.05
 # These lack parts, or have more sliders than there are, which are errors as intended.
 REFUSED = {"a.body", "servos.yaml"}
 kSmall = 10
@@ -168,6 +177,73 @@ def measure_in(folder, job, sizes):
     return exponent, grown, faults
 
 
+def deviation(work):
+    """How far ten times as much more is from ten times the work of as much again: of three counts."""
+    return (work[2] - work[0]) / (work[1] - work[0]) / 10 - 1
+
+
+def proportional_jobs():
+    for name, (case, size, commands) in PROPORTIONAL.items():
+        for words in commands:
+            yield name, case, words, size
+
+
+def measure_proportion(job):
+    _, case, words, size = job
+    sizes = (size, 2 * size, 11 * size)
+    with tempfile.TemporaryDirectory(prefix="kinefile-growth.") as folder:
+        work = []
+        for size in sizes:
+            path, _ = lay_inputs(pathlib.Path(folder), case, size)
+            work.append(instructions([path if word == "@" else word for word in words], folder))
+        return deviation(work), work
+
+
+def convert_many(folder, count, run):
+    """What converting so many files gives, by some way to run it."""
+    folder = pathlib.Path(folder, str(count))
+    folder.mkdir()
+    text = inputs.bvh(5, 200)
+    for i in range(count):
+        (folder / f"{i}.bvh").write_text(text)
+    return run(["convert", ".", "--to", "csv", "--out-dir", "out", "--jobs", "2"], folder)
+
+
+def peak_memory(words, folder):
+    process = subprocess.Popen([options.kinefile, *words], cwd=folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return usage.ru_maxrss << 10
+
+
+def measure_files():
+    """How far the work of many files is from being in proportion, and their memory from being the same."""
+    sizes = (20, 40, 220)
+    with tempfile.TemporaryDirectory(prefix="kinefile-growth.") as folder:
+        work = [convert_many(folder, count, instructions) for count in sizes]
+    with tempfile.TemporaryDirectory(prefix="kinefile-growth.") as folder:
+        memory = [convert_many(folder, count, peak_memory) for count in (sizes[0], sizes[2])]
+    return deviation(work), memory
+
+
+def check_proportions(pool):
+    faults = []
+    wanted = [job for job in proportional_jobs() if options.only in title_of(job)]
+    found = [(title_of(job), *result) for job, result in zip(wanted, pool.map(measure_proportion, wanted))]
+    if options.only in "many files":
+        off, memory = measure_files()
+        found.append(("many files: convert", off, memory))
+        # A thread more or less takes its stack.
+        if memory[1] > 1.05 * memory[0] + (4 << 20):
+            faults.append(f"many files: {memory[1] >> 10} kB, where few take {memory[0] >> 10} kB")
+    for title, off, work in found:
+        print(f"{100 * off:+5.1f} %  {work}  {title}", flush=True)
+        if abs(off) > MOST_DEVIATION:
+            faults.append(f"{title}: {100 * off:+.1f} % from ten times the work of a tenth")
+    return faults
+
+
 def main():
     global options
     parser = argparse.ArgumentParser()
@@ -189,6 +265,8 @@ def main():
             if exponent > 1.25 and work[1] > (0.3 if options.sizes else 5e6):
                 faults.append(f"{title_of(job)}: grows with the power {exponent:.2f}")
             faults += wrong
+        if not options.sizes:
+            faults += check_proportions(pool)
     for fault in faults:
         print(f"FAULT {fault}")
     sys.exit(1 if faults else 0)

@@ -177,9 +177,8 @@ Result<Document> read_amc_alone(std::string_view bytes, const ReadOptions& optio
 
 std::optional<Result<Document>> read_amc_pieces(const ByteSource& bytes, const ReadOptions& options,
                                                 Diagnostics& diagnostics) {
-  Array<char> head;
-  if (!text::read_head(bytes, text::kFirstHead, head)) return std::nullopt;
-  head.resize(last_frame_in({head.data(), head.size()}));
+  const Array<char> head = text::read_head_to(bytes, third_frame_in);
+  if (head.empty()) return std::nullopt;
   const auto decoded =
       text::decode({head.data(), head.size()}, options.encoding, options.source_name, diagnostics);
   if (!decoded || !decoded->storage.empty()) return std::nullopt;

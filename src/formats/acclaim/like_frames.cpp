@@ -87,11 +87,13 @@ std::optional<std::size_t> read_like_frames(const LikeFrames& like, const ByteSo
   return num_frames;
 }
 
-std::size_t last_frame_in(std::string_view head) {
-  for (std::size_t end = head.size(); end > 1;) {
-    const std::size_t line = head.rfind('\n', end - 2) + 1;  // 0 if there is none
-    if (number_in_line(head.data() + line, head.data() + end) != nullptr) return line;
-    end = line;
+std::size_t third_frame_in(std::string_view text) {
+  std::size_t num_frames = 0;
+  for (std::size_t line = 0; line < text.size();) {
+    const std::size_t end = std::min(text.find('\n', line), text.size() - 1) + 1;
+    const bool is_frame = number_in_line(text.data() + line, text.data() + end) != nullptr;
+    if (is_frame && ++num_frames == 3) return line;
+    line = end;
   }
   return 0;
 }

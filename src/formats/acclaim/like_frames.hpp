@@ -46,7 +46,7 @@ std::optional<std::size_t> read_like_frames(const LikeFrames& like, const ByteSo
                                             std::size_t offset, std::int64_t number,
                                             Array<double>& values);
 
-/// The last place in the beginning of a text where a frame seems to begin; 0 if there is none.
-std::size_t last_frame_in(std::string_view head);
+/// Where in a text the third frame seems to begin; 0 if there are fewer.
+std::size_t third_frame_in(std::string_view text);
 
 }  // namespace kinefile::acclaim

@@ -217,6 +217,16 @@ bool are_all_within(const Diagnostics& diagnostics, const text::Source& source) 
                       [end](const Diagnostic& item) { return item.place.line >= end; });
 }
 
+/// Where the header and two rows end; 0 if there are fewer lines.
+std::size_t end_of_second_row(std::string_view text) {
+  std::size_t end = 0;
+  for (int line = 0; line < 3; ++line) {
+    end = text.find('\n', end) + 1;
+    if (end == 0) return 0;
+  }
+  return end;
+}
+
 /// Reads a table whose first rows are in memory.
 std::optional<Document> read_after(std::string_view head, const ByteSource& bytes,
                                    const kinefile::ReadOptions& options, Diagnostics& diagnostics) {
@@ -249,8 +259,8 @@ Result<Document> read(std::string_view bytes, const kinefile::ReadOptions& optio
 std::optional<Result<Document>> read_pieces(const ByteSource& bytes,
                                             const kinefile::ReadOptions& options,
                                             Diagnostics& diagnostics) {
-  Array<char> head;
-  if (!text::read_head(bytes, text::kFirstHead, head)) return std::nullopt;
+  const Array<char> head = text::read_head_to(bytes, end_of_second_row);
+  if (head.empty()) return std::nullopt;
   auto document = read_after({head.data(), head.size()}, bytes, options, diagnostics);
   if (!document) return std::nullopt;
   return *std::move(document);

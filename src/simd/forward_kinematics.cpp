@@ -8,7 +8,6 @@
 #include "simd/forward_kinematics.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -67,10 +67,18 @@ HWY_INLINE double cos_polynomial(double r) {
   return head + (((1 - head) - half) + z * z * p);
 }
 
+HWY_INLINE std::uint64_t bits_of(double number) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  return bits;
+}
+
 /// A number with the other sign where the first bit of `bits` is set.
 HWY_INLINE double with_sign(double number, std::uint64_t bits) {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ (bits & kSign));
+  const std::uint64_t changed = bits_of(number) ^ (bits & kSign);
+  std::memcpy(&number, &changed, sizeof number);
+  return number;
 }
 
 HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) {
@@ -78,8 +86,8 @@ HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) 
   const double c = cos_polynomial(angle.remainder);
   // Behind an odd number of quarters sine and cosine change places. The sine is negative behind two
   // and three, the cosine behind one and two.
-  const std::uint64_t odd = std::bit_cast<std::uint64_t>(angle.quarters) << 63;
-  const std::uint64_t half = std::bit_cast<std::uint64_t>(angle.quarters) << 62;
+  const std::uint64_t odd = bits_of(angle.quarters) << 63;
+  const std::uint64_t half = bits_of(angle.quarters) << 62;
   sine = with_sign(odd != 0 ? c : s, half);
   cosine = with_sign(odd != 0 ? s : c, half ^ odd);
 }

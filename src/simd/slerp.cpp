@@ -4,10 +4,10 @@
 
 #include "simd/slerp.hpp"
 
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <numbers>
 
 #ifdef __EMSCRIPTEN__

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 
 namespace kinefile::bench {
 
@@ -249,6 +250,190 @@ void place_with_eigen(const Motion& motion, bool with_rotations, Placed<double>&
 
 void place_with_eigen(const Motion& motion, bool with_rotations, Placed<float>& placed) {
   place_all(motion, with_rotations, placed);
+}
+
+namespace {
+
+Vec3 nearest_turns_to(const Vec3& near, Vec3 degrees) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    degrees[k] += 360 * std::round((near[k] - degrees[k]) / 360);
+  }
+  return degrees;
+}
+
+/// The angles of a rotation about three different axes, of the two triples the nearer one.
+Vec3 angles_with_eigen(const Mat3& rotation, const std::array<Eigen::Index, 3>& axes,
+                       const Vec3& near) {
+  const Vec3 angles = rotation.eulerAngles(axes[0], axes[1], axes[2]) / kRadiansPerDegree;
+  const Vec3 one = nearest_turns_to(near, angles);
+  const Vec3 other =
+      nearest_turns_to(near, Vec3(angles[0] + 180, 180 - angles[1], angles[2] + 180));
+  return (one - near).squaredNorm() <= (other - near).squaredNorm() ? one : other;
+}
+
+/// The three rotations of a joint.
+struct Turning {
+  std::array<Eigen::Index, 3> axes{};
+  std::array<std::size_t, 3> columns{};
+
+  Vec3 in_row(const double* row) const {
+    return {row[columns[0]], row[columns[1]], row[columns[2]]};
+  }
+  void put(const Vec3& angles, double* row) const {
+    for (std::size_t k = 0; k < 3; ++k) row[columns[k]] = angles[static_cast<Eigen::Index>(k)];
+  }
+};
+
+Turning turning_of(const Joint& joint) {
+  Turning turning;
+  std::size_t count = 0;
+  for (const DegreeOfFreedom& dof : joint.dofs) {
+    if (dof.kind != DofKind::Rotation) continue;
+    dof.axis.maxCoeff(&turning.axes[count]);
+    turning.columns[count++] = dof.coordinate;
+  }
+  return turning;
+}
+
+std::vector<double> numbers_of(const Clip& clip) {
+  return {clip.values.begin(), clip.values.end()};
+}
+
+/// Filters numbers in both directions around the line between their ends.
+void filter_plainly(double cutoff_hz, double rate_hz, std::vector<double>& numbers) {
+  const double w =
+      std::tan(std::numbers::pi * cutoff_hz / rate_hz) / std::pow(std::numbers::sqrt2 - 1, 0.25);
+  const double scale = 1 / (1 + std::numbers::sqrt2 * w + w * w);
+  const double b0 = w * w * scale;
+  const double a1 = 2 * (w * w - 1) * scale;
+  const double a2 = (1 - std::numbers::sqrt2 * w + w * w) * scale;
+  const std::size_t count = numbers.size();
+  const std::size_t padding =
+      std::min(static_cast<std::size_t>(2 * rate_hz / cutoff_hz) + 9, count - 1);
+  const double first = numbers[0];
+  const double slope = (numbers.back() - first) / static_cast<double>(count - 1);
+  std::vector<double> padded(count + 2 * padding);
+  for (std::size_t i = 0; i < count; ++i) {
+    padded[padding + i] = numbers[i] - (first + slope * static_cast<double>(i));
+  }
+  for (std::size_t i = 1; i <= padding; ++i) {
+    padded[padding - i] = -padded[padding + i];
+    padded[padding + count - 1 + i] = -padded[padding + count - 1 - i];
+  }
+  const auto run = [&](auto begin, auto end) {
+    double z1 = (1 - b0) * *begin;
+    double z2 = (b0 - a2) * *begin;
+    for (auto number = begin; number != end; ++number) {
+      const double in = *number;
+      const double out = b0 * in + z1;
+      z1 = 2 * b0 * in - a1 * out + z2;
+      z2 = b0 * in - a2 * out;
+      *number = out;
+    }
+  };
+  run(padded.begin(), padded.end());
+  run(padded.rbegin(), padded.rend());
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers[i] = padded[padding + i] + (first + slope * static_cast<double>(i));
+  }
+}
+
+void smooth_joint_with_eigen(const Motion& motion, const Joint& joint, double cutoff_hz,
+                             std::vector<double>& rows) {
+  const Clip& clip = motion.clip;
+  const double rate = frame_rate(clip.timeline);
+  const Turning turning = turning_of(joint);
+  std::array<std::vector<double>, 4> parts;
+  Quat before = Quat::Identity();
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    Quat q = rotation_with_eigen(joint, clip.row(f));
+    if (f > 0 && q.dot(before) < 0) q.coeffs() = -q.coeffs();
+    for (std::size_t k = 0; k < 4; ++k) parts[k].push_back(q.coeffs()[static_cast<int>(k)]);
+    before = q;
+  }
+  for (std::vector<double>& part : parts) filter_plainly(cutoff_hz, rate, part);
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const Quat q(parts[3][f], parts[0][f], parts[1][f], parts[2][f]);
+    double* row = &rows[f * clip.num_coordinates];
+    turning.put(
+        angles_with_eigen(q.normalized().toRotationMatrix(), turning.axes, turning.in_row(row)),
+        row);
+  }
+}
+
+/// The joint of the other side, or the joint itself.
+std::size_t partner_of(const Skeleton& skeleton, std::size_t joint) {
+  std::string name = skeleton.joints[joint].name;
+  if (name.rfind("Left", 0) == 0) {
+    name.replace(0, 4, "Right");
+  } else if (name.rfind("Right", 0) == 0) {
+    name.replace(0, 5, "Left");
+  }
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    if (skeleton.joints[j].name == name) return j;
+  }
+  return joint;
+}
+
+}  // namespace
+
+std::vector<double> reordered_with_eigen(const Motion& motion,
+                                         const std::array<Eigen::Index, 3>& order) {
+  const Clip& clip = motion.clip;
+  std::vector<double> rows = numbers_of(clip);
+  for (const Joint& joint : motion.skeleton.joints) {
+    const Turning turning = turning_of(joint);
+    Vec3 near = Vec3::Zero();
+    for (std::size_t f = 0; f < clip.num_frames; ++f) {
+      const Mat3 rotation = rotation_with_eigen(joint, clip.row(f)).toRotationMatrix();
+      near = angles_with_eigen(rotation, order, near);
+      turning.put(near, &rows[f * clip.num_coordinates]);
+    }
+  }
+  return rows;
+}
+
+std::vector<double> smoothed_with_eigen(const Motion& motion, double cutoff_hz) {
+  const Clip& clip = motion.clip;
+  std::vector<double> rows = numbers_of(clip);
+  for (const Joint& joint : motion.skeleton.joints) {
+    smooth_joint_with_eigen(motion, joint, cutoff_hz, rows);
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::Translation) continue;
+      std::vector<double> numbers;
+      for (std::size_t f = 0; f < clip.num_frames; ++f) {
+        numbers.push_back(clip.row(f)[dof.coordinate]);
+      }
+      filter_plainly(cutoff_hz, frame_rate(clip.timeline), numbers);
+      for (std::size_t f = 0; f < clip.num_frames; ++f) {
+        rows[f * clip.num_coordinates + dof.coordinate] = numbers[f];
+      }
+    }
+  }
+  return rows;
+}
+
+std::vector<double> mirrored_with_eigen(const Motion& motion) {
+  const Clip& clip = motion.clip;
+  const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
+  std::vector<double> rows(clip.values.size());
+  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
+    const Joint& joint = motion.skeleton.joints[j];
+    const Joint& partner = motion.skeleton.joints[partner_of(motion.skeleton, j)];
+    const Turning turning = turning_of(partner);
+    Vec3 near = Vec3::Zero();
+    for (std::size_t f = 0; f < clip.num_frames; ++f) {
+      double* row = &rows[f * clip.num_coordinates];
+      const Mat3 rotation = rotation_with_eigen(joint, clip.row(f)).toRotationMatrix();
+      near = angles_with_eigen(mirror * rotation * mirror, turning.axes, near);
+      turning.put(near, row);
+      for (const DegreeOfFreedom& dof : joint.dofs) {
+        if (dof.kind != DofKind::Translation) continue;
+        row[dof.coordinate] = (dof.axis.x() != 0 ? -1 : 1) * clip.row(f)[dof.coordinate];
+      }
+    }
+  }
+  return rows;
 }
 
 }  // namespace kinefile::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +55,24 @@ void place_with_eigen(const Motion& motion, bool with_rotations, Placed<float>& 
 /// joints with three rotations about x, y and z, in degrees.
 /// \returns [frame][coordinate]
 std::vector<double> warped_with_eigen(const Motion& motion, const retime::TimeMap& map);
+
+/// A motion whose joints turn about three other axes, a joint and a frame at a time: the product of
+/// Eigen's AngleAxis, `eulerAngles`, and of the two triples for the rotation the one nearest to
+/// that of the frame before. For joints with three rotations about x, y and z, in degrees. \param
+/// order  of the axes: 0 x, 1 y, 2 z \returns [frame][coordinate]
+std::vector<double> reordered_with_eigen(const Motion& motion,
+                                         const std::array<Eigen::Index, 3>& order);
+
+/// A motion after a Butterworth filter of second order in both directions, with two periods of
+/// padding, a joint at a time: the four numbers of quaternions on one side, then `eulerAngles` near
+/// the old ones. Positions are filtered as numbers.
+/// \returns [frame][coordinate]
+std::vector<double> smoothed_with_eigen(const Motion& motion, double cutoff_hz);
+
+/// A motion mirrored in x, a joint and a frame at a time: the product of its rotations, mirrored,
+/// and `eulerAngles` of its partner, near those of the frame before. Partners are named Left and
+/// Right.
+/// \returns [frame][coordinate]
+std::vector<double> mirrored_with_eigen(const Motion& motion);
 
 }  // namespace kinefile::bench

@@ -8,6 +8,7 @@
 #include "keyframes.hpp"
 #include "kinefile/threads.hpp"
 #include "motions.hpp"
+#include "operations.hpp"
 #include "printing.hpp"
 #include "report.hpp"
 #include "rows.hpp"
@@ -25,12 +26,14 @@ int run(int argc, char** argv) {
   add_files();
   add_printing();
   add_motions();
+  add_operations();
   add_commands();
   add_checksum();
   add_batch();
   const bool has_run = run_and_print(argc, argv);
   if (has_run) {
     print_disagreements();
+    print_operation_disagreements();
     print_keyframes();
   }
   remove_subject();

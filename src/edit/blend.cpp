@@ -12,6 +12,7 @@
 #include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
 #include "math/turns.hpp"
+#include "simd/slerp.hpp"
 
 namespace kinefile::edit {
 namespace {
@@ -66,10 +67,11 @@ void turn_joint(const Joint& joint, const Quat& turn, std::span<const double> be
                 AngleUnit unit, Clip& clip) {
   const Rows rows = clip.mutate();
   const auto rotations = rotations_of(joint);
+  const RotationReader reader(rotations, unit);
   RotationFitter fitter(rotations, unit, before);
   simd::Quaternions turned;
   for (const FrameBatch& frames : batches_of(clip.num_frames)) {
-    rotations_in_rows(rotations, clip, frames, unit, turned);
+    reader.read(clip, frames, turned);
     for (std::size_t i = 0; i < frames.count; ++i) {
       rotation::put_quaternion(turn * rotation::quaternion_at(turned, i), i, turned);
     }

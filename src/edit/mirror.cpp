@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Mirrored in a plane of the world with S = I - 2 n n^T, joint j with world pose W_j gives its
-// partner k the pose W'_k = S W_j M_j. M_j = G_j^-1 T G_k transforms j's frame to k's: G are the
-// joints' frames in a pose that is its own image in the skeleton's plane, with mirror T; the pose
-// with angles 0, or a frame. In its parent's frame, k's pose is M_p^-1 L_j M_j, where M_p^-1 is S
-// for a root. k's degrees of freedom make the part B D_j M_j of it, where B = R_k^-1 M_p^-1 R_j and
-// R are rest rotations. In the pose with angles 0, and with S = T, B is M_j^-1: a rotation about a
-// becomes the opposite rotation about M_j^-1 a. If no joint has a rest rotation, every M is T.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
-#include "edit/mirror_plane.hpp"
+#include "base/parallel.hpp"
+#include "edit/mirror_plan.hpp"
 #include "kinefile/edit.hpp"
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
@@ -22,90 +18,7 @@
 namespace kinefile::edit {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // of the skeleton's size
-constexpr double kReached = 1e-6;    // the largest residual, in radians or of the skeleton's size
-
-/// A number that is copied from one degree of freedom to another, with the same or the opposite
-/// sign.
-struct Copy {
-  DegreeOfFreedom from;
-  DegreeOfFreedom to;
-  double sign = 1;
-};
-
-/// How the motion of one joint becomes that of its partner.
-struct JointPlan {
-  std::size_t source = 0;
-  std::size_t target = 0;
-  Mat3 frame = Mat3::Identity();   ///< M_j: from the target's frame to the source's, mirrored
-  Mat3 parent = Mat3::Identity();  ///< M_p^-1: from the source's parent's to the target's parent's
-  Quat before = Quat::Identity();  ///< -B
-  Quat after = Quat::Identity();   ///< -M_j
-  bool is_conjugate = true;        ///< B is M_j^-1
-  std::vector<Copy> copies;
-  bool follows = false;            ///< the target follows another joint in some column
-  bool is_rotation_found = false;  ///< angles are recomputed
-  bool is_position_found = false;
-};
-
-struct MirrorContext {
-  const Motion& motion;
-  double size = 0;
-  bool lenient = false;
-  Diagnostics& diagnostics;
-  std::vector<Quat> frames = {};            ///< G: the rotations of joints in the symmetric pose
-  std::vector<std::size_t> leaders = {};    ///< of columns
-  std::vector<double> rest = {};            ///< of columns
-  Mat3 skeleton_mirror = Mat3::Identity();  ///< T
-  Mat3 world_mirror = Mat3::Identity();     ///< S
-  bool is_at_rest = true;                   ///< the symmetric pose is that with angles 0
-};
-
-/// The rotation of every joint's frame in the world if all degrees of freedom are 0.
-std::vector<Quat> rest_frames(const Skeleton& skeleton) {
-  std::vector<Quat> frames;
-  for (const Joint& joint : skeleton.joints) {
-    const Quat parent = joint.parent == kNoParent ? Quat(Quat::Identity()) : frames[joint.parent];
-    frames.emplace_back(parent * joint.rest_rotation);
-  }
-  return frames;
-}
-
-/// The rotation of every joint's frame in the world in a frame of a motion.
-std::vector<Quat> frames_in(const Motion& motion, std::size_t frame) {
-  const WorldPoses poses = forward_kinematics(
-      motion.skeleton, motion.clip, {.first_frame = frame, .num_frames = 1, .rotations = true});
-  std::vector<Quat> frames;
-  for (std::size_t j = 0; j < poses.num_joints; ++j) {
-    const double* q = &poses.rotations[j * 4];
-    frames.emplace_back(q[0], q[1], q[2], q[3]);
-  }
-  return frames;
-}
-
-/// The reflection in a plane through the origin.
-Mat3 mirror_of(const Vec3& normal) { return Mat3::Identity() - 2 * normal * normal.transpose(); }
-
-/// A vector times a mirror matrix; exact if that only changes signs.
-Vec3 reflect(const Mat3& mirror, const Vec3& v) {
-  const Vec3 diagonal = mirror.diagonal();
-  if (mirror == Mat3(diagonal.asDiagonal())) return diagonal.cwiseProduct(v);
-  return mirror * v;
-}
-
-/// +1 if two unit vectors are equal, -1 if they are opposite.
-std::optional<double> sign_between(const Vec3& a, const Vec3& b) {
-  if ((a - b).norm() <= kSameDirection) return 1;
-  if ((a + b).norm() <= kSameDirection) return -1;
-  return std::nullopt;
-}
-
-std::vector<DegreeOfFreedom> dofs_of_kind(const Joint& joint, DofKind kind) {
-  std::vector<DegreeOfFreedom> dofs;
-  std::copy_if(joint.dofs.begin(), joint.dofs.end(), std::back_inserter(dofs),
-               [kind](const DegreeOfFreedom& dof) { return dof.kind == kind; });
-  return dofs;
-}
+constexpr double kReached = 1e-6;  // the largest residual, in radians or of the skeleton's size
 
 /// Fails, or only warns if lenient.
 Result<void> fail_or_warn(const MirrorContext& context, std::string message) {
@@ -115,101 +28,6 @@ Result<void> fail_or_warn(const MirrorContext& context, std::string message) {
   error.message += "; it is mirrored as it can";
   context.diagnostics.add(std::move(error));
   return {};
-}
-
-/// The copies that mirror the rotations, if the target has the mirror images of their axes.
-std::optional<std::vector<Copy>> copies_of_rotations(const JointPlan& plan, const Joint& source,
-                                                     const Joint& target) {
-  const auto from = rotations_of(source);
-  const auto to = rotations_of(target);
-  const bool is_whole = is_whole_rotation(from) || is_whole_rotation(to);
-  if (!plan.is_conjugate || is_whole || from.size() != to.size()) return std::nullopt;
-  std::vector<Copy> copies;
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    const auto sign = sign_between(to[k].axis, reflect(plan.frame.transpose(), from[k].axis));
-    if (!sign) return std::nullopt;
-    copies.push_back({from[k], to[k], -*sign});
-  }
-  return copies;
-}
-
-/// The copies that mirror the position, if offsets and axes are each other's mirror images.
-std::optional<std::vector<Copy>> copies_of_slides(const JointPlan& plan, const Joint& source,
-                                                  const Joint& target, double size) {
-  const auto from = translations_of(source);
-  const auto to = translations_of(target);
-  const Vec3 image = reflect(plan.parent, source.offset);
-  if (from.size() != to.size() || !((image - target.offset).norm() <= kSamePlace * size)) {
-    return std::nullopt;
-  }
-  std::vector<Copy> copies;
-  for (const Translation& translation : to) {
-    for (const Translation& other : from) {
-      const auto sign = sign_between(translation.axis, reflect(plan.parent, other.axis));
-      if (sign) copies.push_back({other.dof, translation.dof, *sign});
-    }
-  }
-  return copies.size() == to.size() ? std::optional(copies) : std::nullopt;
-}
-
-/// The copies of the degrees of freedom of the tail: one for one, in order.
-void copy_tails(const JointPlan& plan, const Joint& source, const Joint& target, DofKind kind,
-                std::vector<Copy>& copies) {
-  const auto from = dofs_of_kind(source, kind);
-  const auto to = dofs_of_kind(target, kind);
-  for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) {
-    const bool is_opposite = reflect(plan.frame.transpose(), from[k].axis).dot(to[k].axis) < 0;
-    const bool is_negated = is_opposite && kind == DofKind::TailTranslation;
-    copies.push_back({from[k], to[k], is_negated ? -1.0 : 1.0});
-  }
-}
-
-JointPlan plan_joint(const MirrorContext& context, std::size_t source_index,
-                     std::size_t target_index) {
-  const Skeleton& skeleton = context.motion.skeleton;
-  const Joint& source = skeleton.joints[source_index];
-  const Joint& target = skeleton.joints[target_index];
-  const Mat3& mirror = context.skeleton_mirror;
-  const auto frame = [&context](std::size_t joint) {
-    return joint == kNoParent ? Mat3(Mat3::Identity()) : context.frames[joint].toRotationMatrix();
-  };
-  JointPlan plan;
-  plan.source = source_index;
-  plan.target = target_index;
-  const auto follows = following_dofs(target.dofs, target_index, context.leaders);
-  plan.follows = std::find(follows.begin(), follows.end(), true) != follows.end();
-  const bool is_root = source.parent == kNoParent && target.parent == kNoParent;
-  plan.frame = frame(source_index).transpose() * mirror * frame(target_index);
-  plan.parent = is_root ? context.world_mirror
-                        : Mat3(frame(target.parent).transpose() * mirror * frame(source.parent));
-  plan.is_conjugate =
-      context.is_at_rest && (!is_root || context.world_mirror == context.skeleton_mirror);
-  plan.after = Quat(Mat3(-plan.frame));
-  plan.before = Quat(Mat3(-(target.rest_rotation.toRotationMatrix().transpose() * plan.parent *
-                            source.rest_rotation.toRotationMatrix())));
-  if (auto copies = copies_of_rotations(plan, source, target)) {
-    plan.copies = std::move(*copies);
-  } else {
-    plan.is_rotation_found = true;
-  }
-  if (auto copies = copies_of_slides(plan, source, target, context.size)) {
-    plan.copies.insert(plan.copies.end(), copies->begin(), copies->end());
-  } else {
-    plan.is_position_found = true;
-  }
-  copy_tails(plan, source, target, DofKind::TailTranslation, plan.copies);
-  copy_tails(plan, source, target, DofKind::TailScale, plan.copies);
-  return plan;
-}
-
-/// Whether the degrees of freedom of two partners differ so that motion is lost.
-bool is_position_lost(const Joint& source, const Joint& target) {
-  return translations_of(source).size() > translations_of(target).size() ||
-         moves_freely(source) != moves_freely(target) ||
-         dofs_of_kind(source, DofKind::TailTranslation).size() !=
-             dofs_of_kind(target, DofKind::TailTranslation).size() ||
-         dofs_of_kind(source, DofKind::TailScale).size() !=
-             dofs_of_kind(target, DofKind::TailScale).size();
 }
 
 /// Mirrors a whole rotation in its numbers, which keep their bits: its vector part is mirrored.
@@ -224,10 +42,9 @@ void mirror_numbers(const JointPlan& plan, const DegreeOfFreedom& from, const De
 
 /// The wanted rotations of a plan's target in some frames.
 void mirrored_rotations(const MirrorContext& context, const JointPlan& plan,
-                        const FrameBatch& frames, simd::Quaternions& out) {
-  const auto rotations = rotations_of(context.motion.skeleton.joints[plan.source]);
-  rotations_in_rows(rotations, context.motion.clip, frames, context.motion.skeleton.angle_unit,
-                    out);
+                        const RotationReader& reader, const FrameBatch& frames,
+                        simd::Quaternions& out) {
+  reader.read(context.motion.clip, frames, out);
   if (plan.is_conjugate) {
     rotation::turn_axes(-plan.frame.transpose(), out);
     return;
@@ -251,35 +68,45 @@ std::vector<bool> follows_of(const MirrorContext& context, const JointPlan& plan
   return follows_of(context, plan, dofs);
 }
 
-/// Finds the rotation of a joint in all frames.
-/// \returns the largest residual angle, in radians
-double find_rotations(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
-  const Clip& clip = context.motion.clip;
+/// How the rotation of a plan's target is found.
+struct RotationPlan {
+  std::vector<DegreeOfFreedom> from;
+  std::vector<DegreeOfFreedom> to;
+  bool is_exact = false;  ///< see `mirror_numbers`
+  RotationReader reader;
+  RotationFitter fitter;
+};
+
+RotationPlan plan_rotation(const MirrorContext& context, const JointPlan& plan) {
   const Skeleton& skeleton = context.motion.skeleton;
   const auto from = rotations_of(skeleton.joints[plan.source]);
   const auto to = rotations_of(skeleton.joints[plan.target]);
   const auto follows = follows_of(context, plan, to);
   const bool is_exact = plan.is_conjugate && is_whole_rotation(from) && is_whole_rotation(to) &&
                         from[0].kind == to[0].kind && !follows[0];
-  if (is_exact) {
-    for (std::size_t f = 0; f < clip.num_frames; ++f) {
-      mirror_numbers(plan, from[0], to[0], clip.row(f), rows[f]);
-    }
-    return 0;
-  }
-  RotationFitter fitter(to, skeleton.angle_unit, context.rest, follows);
-  simd::Quaternions found;
-  double residual = 0;
-  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
-    mirrored_rotations(context, plan, frames, found);
-    residual = std::max(residual, fitter.fit(found, frames, rows));
-  }
-  return residual;
+  return {from, to, is_exact, RotationReader(from, skeleton.angle_unit),
+          RotationFitter(to, skeleton.angle_unit, context.rest, follows)};
 }
 
-/// Finds the position of a joint in all frames.
+/// Finds the rotation of a joint in some frames, those after the last ones.
+/// \param found  memory
+/// \returns      the largest residual angle, in radians
+double find_rotations(const MirrorContext& context, const JointPlan& plan, const FrameBatch& frames,
+                      const Rows& rows, RotationPlan& rotation, simd::Quaternions& found) {
+  if (!rotation.is_exact) {
+    mirrored_rotations(context, plan, rotation.reader, frames, found);
+    return rotation.fitter.fit(found, frames, rows);
+  }
+  for (std::size_t f = frames.first; f < frames.first + frames.count; ++f) {
+    mirror_numbers(plan, rotation.from[0], rotation.to[0], context.motion.clip.row(f), rows[f]);
+  }
+  return 0;
+}
+
+/// Finds the position of a joint in some frames.
 /// \returns the largest residual distance
-double find_positions(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
+double find_positions(const MirrorContext& context, const JointPlan& plan, const FrameBatch& frames,
+                      const Rows& rows) {
   const Joint& source = context.motion.skeleton.joints[plan.source];
   const Joint& target = context.motion.skeleton.joints[plan.target];
   const auto from = translations_of(source);
@@ -287,7 +114,7 @@ double find_positions(const MirrorContext& context, const JointPlan& plan, const
   if (to.empty()) return 0;
   const auto follows = follows_of(context, plan, to);
   double residual = 0;
-  for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
+  for (std::size_t f = frames.first; f < frames.first + frames.count; ++f) {
     const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
     residual = std::max(
         residual, fit_position(target.offset, to, reflect(plan.parent, place), rows[f], follows));
@@ -301,24 +128,113 @@ Result<void> report_joint(const MirrorContext& context, const JointPlan& plan) {
                                            joints[plan.target].name, joints[plan.source].name));
 }
 
-Result<void> mirror_joint(const MirrorContext& context, const JointPlan& plan, const Rows& rows) {
-  const Joint& source = context.motion.skeleton.joints[plan.source];
-  const Joint& target = context.motion.skeleton.joints[plan.target];
-  const Clip& clip = context.motion.clip;
-  for (const Copy& copy : plan.copies) {
-    if (context.leaders[copy.to.coordinate] != plan.target) continue;
-    for (std::size_t f = 0; f < clip.num_frames; ++f) {
-      rows[f][copy.to.coordinate] =
-          carried_over(copy.from, copy.to, copy.sign, clip.row(f)[copy.from.coordinate]);
+/// Copies a column with its sign in some frames.
+void copy_column(const Copy& copy, const Clip& clip, const FrameBatch& frames, const Rows& rows) {
+  const double* const from =
+      clip.values.data() + frames.first * clip.num_coordinates + copy.from.coordinate;
+  double* const to = rows.values.data() + frames.first * rows.width + copy.to.coordinate;
+  const std::size_t stride = rows.width;
+  if (keeps_numbers(copy.from, copy.to, copy.sign)) {
+    const double sign = copy.sign;
+    for (std::size_t i = 0; i < frames.count; ++i) to[i * stride] = sign * from[i * stride];
+  } else {
+    for (std::size_t i = 0; i < frames.count; ++i) {
+      to[i * stride] = carried_over(copy.from, copy.to, copy.sign, from[i * stride]);
     }
   }
-  // Both are computed, even if the first residual is too large already.
-  const double distance = plan.is_position_found ? find_positions(context, plan, rows) : 0;
-  const double angle = plan.is_rotation_found ? find_rotations(context, plan, rows) : 0;
-  const bool is_out_of_reach = distance > kReached * context.size || angle > kReached;
-  // If a joint follows others, these may not have been moved yet.
-  if ((!is_out_of_reach || plan.follows) && !is_position_lost(source, target)) return {};
-  return report_joint(context, plan);
+}
+
+/// Copies the columns that no plan copies to: what is found is near to their numbers, or they stay.
+void keep_columns(const MirrorContext& context, const std::vector<JointPlan>& plans,
+                  const Rows& rows) {
+  std::vector<bool> is_copied(rows.width, false);
+  for (const JointPlan& plan : plans) {
+    for (const Copy& copy : plan.copies) is_copied[copy.to.coordinate] = true;
+  }
+  std::vector<Copy> kept;
+  for (std::size_t c = 0; c < rows.width; ++c) {
+    const DegreeOfFreedom same{DofKind::Translation, Vec3::UnitX(), c, 0};
+    if (!is_copied[c]) kept.push_back({same, same, 1});
+  }
+  for_each_group(kept.size(), rows.values.size(), [&](std::size_t begin, std::size_t end) {
+    for (const FrameBatch& frames : batches_of(context.motion.clip.num_frames)) {
+      for (std::size_t k = begin; k < end; ++k) {
+        copy_column(kept[k], context.motion.clip, frames, rows);
+      }
+    }
+  });
+}
+
+/// What the numbers that were found miss.
+struct Residual {
+  double distance = 0;
+  double angle = 0;
+};
+
+/// Mirrors the motion of some joints, a batch of frames after the other.
+void mirror_joints(const MirrorContext& context, std::span<const JointPlan> plans, const Rows& rows,
+                   std::span<Residual> residuals) {
+  std::vector<std::optional<RotationPlan>> rotations(plans.size());
+  for (std::size_t n = 0; n < plans.size(); ++n) {
+    if (plans[n].is_rotation_found) rotations[n] = plan_rotation(context, plans[n]);
+  }
+  simd::Quaternions found;
+  for (const FrameBatch& frames : batches_of(context.motion.clip.num_frames)) {
+    for (std::size_t n = 0; n < plans.size(); ++n) {
+      const JointPlan& plan = plans[n];
+      for (const Copy& copy : plan.copies) copy_column(copy, context.motion.clip, frames, rows);
+      if (plan.is_position_found) {
+        residuals[n].distance =
+            std::max(residuals[n].distance, find_positions(context, plan, frames, rows));
+      }
+      if (plan.is_rotation_found) {
+        residuals[n].angle = std::max(
+            residuals[n].angle, find_rotations(context, plan, frames, rows, *rotations[n], found));
+      }
+    }
+  }
+}
+
+/// Mirrors the motion of all joints.
+std::vector<Residual> mirror_all(const MirrorContext& context, const std::vector<JointPlan>& plans,
+                                 const Rows& rows) {
+  std::vector<Residual> residuals(plans.size());
+  const std::span<const JointPlan> all = plans;
+  const std::span<Residual> missed = residuals;
+  const auto num_alone = static_cast<std::size_t>(
+      std::count_if(plans.begin(), plans.end(), [](const JointPlan& p) { return p.is_alone; }));
+  for_each_group(num_alone, rows.values.size(), [&](std::size_t begin, std::size_t end) {
+    mirror_joints(context, all.subspan(begin, end - begin), rows, missed.subspan(begin));
+  });
+  mirror_joints(context, all.subspan(num_alone), rows, missed.subspan(num_alone));
+  return residuals;
+}
+
+/// Reports joints without a partner, and those that cannot move as theirs do, in their order.
+Result<void> report_joints(const MirrorContext& context, const std::vector<JointPlan>& plans,
+                           const std::vector<Residual>& residuals) {
+  const std::vector<Joint>& joints = context.motion.skeleton.joints;
+  std::vector<std::size_t> order(plans.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&plans](std::size_t a, std::size_t b) { return plans[a].source < plans[b].source; });
+  for (const std::size_t n : order) {
+    const JointPlan& plan = plans[n];
+    if (!plan.has_partner) {
+      auto reported = fail_or_warn(
+          context, fmt::format("joint '{}' has no other half, by name or by where it lies, and "
+                               "does not lie in the plane of the mirror",
+                               joints[plan.source].name));
+      if (!reported) return reported;
+    }
+    const bool is_out_of_reach =
+        residuals[n].distance > kReached * context.size || residuals[n].angle > kReached;
+    // If a joint follows others, these may not have been moved yet.
+    const bool is_lost = is_position_lost(joints[plan.source], joints[plan.target]);
+    if ((!is_out_of_reach || plan.follows) && !is_lost) continue;
+    if (auto reported = report_joint(context, plan); !reported) return reported;
+  }
+  return {};
 }
 
 /// Whether a joint that follows others has the mirrored pose.
@@ -329,9 +245,10 @@ bool is_reached(const MirrorContext& context, const JointPlan& plan, const Clip&
   const auto from = translations_of(source);
   const auto to = translations_of(target);
   const auto rotations = rotations_of(target);
+  const RotationReader reader(rotations_of(source), skeleton.angle_unit);
   simd::Quaternions wanted;
   for (const FrameBatch& frames : batches_of(result.num_frames)) {
-    mirrored_rotations(context, plan, frames, wanted);
+    mirrored_rotations(context, plan, reader, frames, wanted);
     for (std::size_t i = 0; i < frames.count; ++i) {
       const std::size_t f = frames.first + i;
       const Vec3 place = position_in_row(source.offset, from, context.motion.clip.row(f));
@@ -351,48 +268,30 @@ bool is_reached(const MirrorContext& context, const JointPlan& plan, const Clip&
 Result<Motion> mirror(const Motion& motion, std::optional<std::size_t> axis, bool lenient,
                       Diagnostics& diagnostics) {
   const Skeleton& skeleton = motion.skeleton;
-  Motion result = motion;
-  if (skeleton.joints.empty()) return result;
+  if (skeleton.joints.empty()) return motion;
   const auto plane = find_mirror_plane(motion, axis, diagnostics);
   if (!plane) return fail(plane.error());
-  MirrorContext context{motion, rest_size(skeleton), lenient, diagnostics};
-  context.is_at_rest = !plane->frame.has_value();
-  context.frames = plane->frame ? frames_in(motion, *plane->frame) : rest_frames(skeleton);
-  context.leaders = leaders_of_columns(skeleton);
-  context.rest = rest_coordinates(skeleton);
-  context.skeleton_mirror = mirror_of(plane->skeleton_normal);
-  context.world_mirror = mirror_of(Vec3::Unit(static_cast<Eigen::Index>(plane->world_axis)));
+  const MirrorContext context = mirror_context(motion, *plane, lenient, diagnostics);
   if (!plane->is_symmetric) {
     auto reported = fail_or_warn(
         context,
         "left and right do not lie on the two sides of a plane, neither at rest nor in a frame");
     if (!reported) return fail(std::move(reported.error()));
   }
-  const auto& pairs = plane->pairs;
+  const std::vector<JointPlan> plans = plan_joints(context, plane->pairs);
+  Motion result{skeleton, {}};
+  result.clip.num_frames = motion.clip.num_frames;
+  result.clip.num_coordinates = motion.clip.num_coordinates;
+  result.clip.timeline = motion.clip.timeline;
+  result.clip.values.resize(motion.clip.values.size());
   const Rows rows = result.clip.mutate();
-  std::vector<JointPlan> following;
-  for (std::size_t j = 0; j < pairs.size(); ++j) {
-    if (skeleton.joints[j].dofs.empty() &&
-        (pairs[j] == kNoParent || skeleton.joints[pairs[j]].dofs.empty())) {
-      continue;
-    }
-    if (pairs[j] == kNoParent) {
-      auto reported = fail_or_warn(
-          context, fmt::format("joint '{}' has no other half, by name or by where it lies, and "
-                               "does not lie in the plane of the mirror",
-                               skeleton.joints[j].name));
-      if (!reported) return fail(std::move(reported.error()));
-    }
-    const std::size_t target = pairs[j] == kNoParent ? j : pairs[j];
-    const JointPlan plan = plan_joint(context, j, target);
-    auto done = mirror_joint(context, plan, rows);
-    if (!done) return fail(std::move(done.error()));
-    if (plan.follows) following.push_back(plan);
-  }
-  for (const JointPlan& plan : following) {
-    if (is_reached(context, plan, result.clip)) continue;
-    auto reported = report_joint(context, plan);
-    if (!reported) return fail(std::move(reported.error()));
+  keep_columns(context, plans, rows);
+  auto reported = report_joints(context, plans, mirror_all(context, plans, rows));
+  if (!reported) return fail(std::move(reported.error()));
+  for (const JointPlan& plan : plans) {
+    if (!plan.follows || is_reached(context, plan, result.clip)) continue;
+    auto out_of_reach = report_joint(context, plan);
+    if (!out_of_reach) return fail(std::move(out_of_reach.error()));
   }
   return result;
 }

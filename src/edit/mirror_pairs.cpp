@@ -88,6 +88,7 @@ JointPlaces places_of(const Skeleton& skeleton, double size, const PoseArrays& p
   const auto first_tips = first_tips_of_joints(skeleton);
   JointPlaces places;
   places.size = size;
+  places.joints.reserve(num_joints);
   for (std::size_t j = 0; j < num_joints; ++j) {
     const Vec3 root(&poses.positions[(row * num_joints + roots[j]) * 3]);
     places.joints.emplace_back(Vec3(&poses.positions[(row * num_joints + j) * 3]) - root);

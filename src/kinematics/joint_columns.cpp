@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,8 +60,16 @@ double whole_turn(AngleUnit unit) {
 }
 
 bool all_finite(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(),
-                     [](double number) { return std::isfinite(number); });
+  constexpr std::size_t kTogether = 8;  // sums that do not wait for each other
+  std::array<double, kTogether> sums{};
+  const double* number = numbers.data();
+  std::size_t rest = numbers.size();
+  for (; rest >= kTogether; rest -= kTogether, number += kTogether) {
+    // 0 for a finite number, NaN for others, and NaN stays.
+    for (std::size_t k = 0; k < kTogether; ++k) sums[k] += 0 * number[k];
+  }
+  return std::all_of(sums.begin(), sums.end(), [](double sum) { return sum == 0; }) &&
+         std::all_of(number, number + rest, [](double last) { return std::isfinite(last); });
 }
 
 std::vector<double> turns_of_columns(const Skeleton& skeleton) {
@@ -81,9 +90,13 @@ std::vector<double> turns_of_columns(const Skeleton& skeleton) {
   return turns;
 }
 
+bool keeps_numbers(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor) {
+  return from.gain == to.gain && factor * from.shift == to.shift;
+}
+
 double carried_over(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor,
                     double number) {
-  if (from.gain == to.gain && factor * from.shift == to.shift) return factor * number;
+  if (keeps_numbers(from, to, factor)) return factor * number;
   return column_of(to, factor * value_of(from, number));
 }
 

@@ -25,8 +25,10 @@ inline double value_in_row(const DegreeOfFreedom& dof, std::span<const double> r
   return value_of(dof, row[dof.coordinate]);
 }
 
-/// Converts the number in one degree of freedom's column to that of another. It keeps its bits if
-/// both have the same gain and shift.
+/// Whether `carried_over` only multiplies numbers by the factor: both have the same gain and shift.
+bool keeps_numbers(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor);
+
+/// Converts the number in one degree of freedom's column to that of another.
 /// \param factor  applied to the value: between units, or -1
 double carried_over(const DegreeOfFreedom& from, const DegreeOfFreedom& to, double factor,
                     double number);

@@ -29,11 +29,6 @@ void plan_whole(simd::WholeRotation kind, std::size_t coordinate, simd::PlannedJ
   planned.whole_coordinate = coordinate;
 }
 
-simd::Turn plan_turn(const DegreeOfFreedom& dof) {
-  return {input_of(dof), kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
-          vector_of(dof.axis)};
-}
-
 void plan_dof(const DegreeOfFreedom& dof, const Mat3& rest_rotation, simd::PlannedJoint& planned) {
   switch (dof.kind) {
     case DofKind::Rotation:
@@ -165,6 +160,11 @@ void place_rows(const simd::Plan& plan, simd::Frame frame, const ValueRows& rows
 }
 
 }  // namespace
+
+simd::Turn plan_turn(const DegreeOfFreedom& dof) {
+  return {input_of(dof), kernel_axis(dof.axis), dof.axis.sum() < 0 ? -1.0 : 1.0,
+          vector_of(dof.axis)};
+}
 
 Kinematics::Kinematics(const Skeleton& skeleton) {
   auto plan = std::make_shared<Plan>();

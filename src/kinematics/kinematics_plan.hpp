@@ -15,4 +15,7 @@ struct Kinematics::Plan {
   double radians_per_unit = 1;  ///< of an angle unit
 };
 
+/// A rotation about one axis in the form that the kernels need.
+simd::Turn plan_turn(const DegreeOfFreedom& dof);
+
 }  // namespace kinefile

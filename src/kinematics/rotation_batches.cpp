@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "kinematics/kinematics_plan.hpp"
+
 namespace kinefile {
 namespace {
 
@@ -18,7 +20,7 @@ void copy_columns(const DegreeOfFreedom& from_dof, std::span<const double> from,
 }  // namespace
 
 std::vector<FrameBatch> batches_of(std::size_t num_frames) {
-  constexpr std::size_t kFramesPerBatch = 512;
+  constexpr std::size_t kFramesPerBatch = 64;
   std::vector<FrameBatch> batches;
   for (std::size_t first = 0; first < num_frames; first += kFramesPerBatch) {
     batches.push_back({first, std::min(kFramesPerBatch, num_frames - first)});
@@ -26,26 +28,48 @@ std::vector<FrameBatch> batches_of(std::size_t num_frames) {
   return batches;
 }
 
-void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
-                       const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out) {
+void get_values(const DegreeOfFreedom& dof, const FrameBatch& frames, const Rows& rows,
+                std::span<double> out) {
+  const double* const from = rows.values.data() + frames.first * rows.width + dof.coordinate;
+  double* const to = out.data();
+  for (std::size_t i = 0; i < frames.count; ++i) to[i] = from[i * rows.width];
+  if (is_plain(dof)) return;
+  for (std::size_t i = 0; i < frames.count; ++i) to[i] = value_of(dof, to[i]);
+}
+
+void put_values(const DegreeOfFreedom& dof, const FrameBatch& frames,
+                std::span<const double> values, const Rows& rows) {
+  const double* const from = values.data();
+  double* const to = rows.values.data() + frames.first * rows.width + dof.coordinate;
+  if (is_plain(dof)) {
+    for (std::size_t i = 0; i < frames.count; ++i) to[i * rows.width] = from[i];
+  } else {
+    for (std::size_t i = 0; i < frames.count; ++i) to[i * rows.width] = column_of(dof, from[i]);
+  }
+}
+
+RotationReader::RotationReader(const std::vector<DegreeOfFreedom>& rotations, AngleUnit unit)
+    : unit_(unit) {
   if (is_whole_rotation(rotations)) {
-    rotation::resize(out, frames.count);
-    for (std::size_t i = 0; i < frames.count; ++i) {
-      const Quat q = quaternion_in_row(rotations, clip.row(frames.first + i), unit);
-      rotation::put_quaternion(q, i, out);
-    }
+    whole_ = rotations;
+  } else {
+    for (const DegreeOfFreedom& dof : rotations) turns_.push_back(plan_turn(dof));
+  }
+}
+
+void RotationReader::read(const Clip& clip, const FrameBatch& frames,
+                          simd::Quaternions& out) const {
+  if (whole_.empty()) {
+    const simd::Rows rows{clip.values.data() + frames.first * clip.num_coordinates, frames.count,
+                          clip.num_coordinates};
+    simd::products_of_turns(turns_, unit_ == AngleUnit::Degrees, rows, out);
     return;
   }
-  std::vector<Vec3> axes;
-  rotation::AngleColumns angles;
-  for (const DegreeOfFreedom& dof : rotations) {
-    axes.push_back(dof.axis);
-    std::vector<double>& column = angles.emplace_back(simd::padded(frames.count));
-    for (std::size_t i = 0; i < frames.count; ++i) {
-      column[i] = value_of(dof, clip.row(frames.first + i)[dof.coordinate]);
-    }
+  rotation::resize(out, frames.count);
+  for (std::size_t i = 0; i < frames.count; ++i) {
+    const Quat q = whole_rotation_in_row(whole_[0], clip.row(frames.first + i), unit_);
+    rotation::put_quaternion(q, i, out);
   }
-  rotation::products_of_rotations(axes, angles, frames.count, unit == AngleUnit::Degrees, out);
 }
 
 RotationFitter::RotationFitter(std::vector<DegreeOfFreedom> rotations, AngleUnit unit,
@@ -82,12 +106,7 @@ double RotationFitter::fit(simd::Quaternions& quaternions, const FrameBatch& fra
                            const Rows& rows) {
   if (!finder_) return fit_one_by_one(quaternions, frames, rows);
   finder_->find(quaternions, frames.count, angles_);
-  for (std::size_t i = 0; i < frames.count; ++i) {
-    const auto row = rows[frames.first + i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      row[rotations_[k].coordinate] = column_of(rotations_[k], angles_[k][i]);
-    }
-  }
+  for (std::size_t k = 0; k < 3; ++k) put_values(rotations_[k], frames, angles_[k], rows);
   return 0;
 }
 

@@ -21,10 +21,29 @@ struct FrameBatch {
 /// The frames of a clip in batches that stay in the processor's cache.
 std::vector<FrameBatch> batches_of(std::size_t num_frames);
 
-/// The products of a joint's rotations in some rows: `quaternion_in_row` for many.
-/// \param rotations  of `rotations_of`
-void rotations_in_rows(const std::vector<DegreeOfFreedom>& rotations, const Clip& clip,
-                       const FrameBatch& frames, AngleUnit unit, simd::Quaternions& out);
+/// Reads the values of a degree of freedom that reads one column.
+/// \param out  one a frame; may be longer
+void get_values(const DegreeOfFreedom& dof, const FrameBatch& frames, const Rows& rows,
+                std::span<double> out);
+
+/// Writes the numbers by which a degree of freedom that reads one column has some values.
+void put_values(const DegreeOfFreedom& dof, const FrameBatch& frames,
+                std::span<const double> values, const Rows& rows);
+
+/// Reads the products of a joint's rotations from many rows: `quaternion_in_row` for many.
+class RotationReader {
+ public:
+  /// \param rotations  of `rotations_of`
+  RotationReader(const std::vector<DegreeOfFreedom>& rotations, AngleUnit unit);
+
+  /// \param out  one unit quaternion a frame, padded
+  void read(const Clip& clip, const FrameBatch& frames, simd::Quaternions& out) const;
+
+ private:
+  std::vector<DegreeOfFreedom> whole_;  ///< a whole rotation, or none
+  std::vector<simd::Turn> turns_;
+  AngleUnit unit_;
+};
 
 /// Finds the values of a joint's degrees of freedom for many rotations, each near the previous one:
 /// `fit_rotation` for many.

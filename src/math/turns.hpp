@@ -11,8 +11,8 @@ namespace kinefile {
 /// round. 0 if it already is; a step of exactly half a turn stays as it is.
 /// \param turn  a whole turn in the unit of the angles
 inline double turns_towards(double angle, double near, double turn) {
-  const double turns = (near - angle) / turn;
-  return std::abs(turns) <= 0.5 ? 0 : turn * std::round(turns);
+  const double apart = near - angle;
+  return std::abs(apart) <= 0.5 * turn ? 0 : turn * std::round(apart / turn);
 }
 
 /// An angle plus `turns_towards` another; unchanged, bit for bit, if it needs none.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinefile/retime.hpp"
+#include "simd/angles.hpp"
 #include "simd/slerp.hpp"
 
 namespace kinefile::retime {

@@ -5,11 +5,9 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include "kinefile/math.hpp"
-#include "simd/slerp.hpp"
+#include "simd/angles.hpp"
 
 namespace kinefile::rotation {
 
@@ -25,21 +23,13 @@ void resize(simd::Components<kSize>& components, std::size_t count) {
 Quat quaternion_at(const simd::Quaternions& quaternions, std::size_t i);
 void put_quaternion(const Quat& value, std::size_t i, simd::Quaternions& quaternions);
 
-/// Angles about some axes, one array per axis, all padded (see `simd::padded`).
-using AngleColumns = std::vector<std::vector<double>>;
-
-/// The products of rotations about any axes.
-/// \param axes    unit vectors, outermost first
-/// \param angles  one array an axis
-/// \param count   how many rotations; needed if there are no axes
-/// \param out     out: unit quaternions of either sign
-void products_of_rotations(std::span<const Vec3> axes, const AngleColumns& angles,
-                           std::size_t count, bool is_in_degrees, simd::Quaternions& out);
-
 /// Rotates the axes of rotations: the results have the same angles about axes transformed by a
 /// matrix.
 /// \param turn  a rotation, or the negative of a reflection
 void turn_axes(const Mat3& turn, simd::Quaternions& quaternions);
+
+/// The basis of three axes: the first, the second and their cross product (see `simd::EulerForm`).
+simd::Matrix kernel_from_joint(const EulerAxes& axes);
 
 /// Finds the angles of rotations about three axes, for many rotations in a row.
 class AngleFinder {
@@ -55,11 +45,12 @@ class AngleFinder {
 
  private:
   Vec3 angles_near(double plus, double minus, double middle) const;
+  void find_one(std::size_t i, simd::Angles& angles);
 
   simd::EulerForm form_;
-  Mat3 kernel_from_joint_;
+  simd::Matrix kernel_from_joint_;
   double half_turn_;
-  Vec3 before_;
+  simd::LastTriple last_;
 };
 
 }  // namespace kinefile::rotation

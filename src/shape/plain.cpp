@@ -102,12 +102,12 @@ std::vector<AngleSource> plan_angles(const Skeleton& skeleton,
 void fill_angles(const Motion& motion, std::size_t joint, const EulerAxes& axes, std::size_t first,
                  const Rows& rows) {
   const AngleUnit unit = motion.skeleton.angle_unit;
-  const auto rotations = rotations_of(motion.skeleton.joints[joint]);
+  const RotationReader reader(rotations_of(motion.skeleton.joints[joint]), unit);
   rotation::AngleFinder finder(axes, unit == AngleUnit::Degrees, Vec3::Zero());
   simd::Quaternions found;
   simd::Angles angles;
   for (const FrameBatch& frames : batches_of(motion.clip.num_frames)) {
-    rotations_in_rows(rotations, motion.clip, frames, unit, found);
+    reader.read(motion.clip, frames, found);
     finder.find(found, frames.count, angles);
     for (std::size_t i = 0; i < frames.count; ++i) {
       for (std::size_t k = 0; k < 3; ++k) rows[frames.first + i][first + k] = angles[k][i];

@@ -9,7 +9,8 @@ HWY_BEFORE_NAMESPACE();
 namespace kinefile::simd {
 namespace HWY_NAMESPACE {
 
-/// Adding and subtracting 1.5 * 2^52 rounds to the nearest integer.
+/// Adding and subtracting 1.5 * 2^52 rounds to the nearest integer, which is then in the last bits
+/// of the sum.
 constexpr double kRounder = 6755399441055744.0;
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -19,14 +20,15 @@ constexpr double kMostDegrees = 90.0 * (1 << 20);
 constexpr double kMostRadians = 1 << 20;
 
 struct Angle {
-  double quarters;   ///< whole quarter turns
+  double quarters;   ///< whole quarter turns, in the last bits
   double remainder;  ///< the remainder in radians, within an eighth of a turn
 };
 
 HWY_INLINE Angle reduce_degrees(double degrees) {
-  const double quarters = (degrees * (1.0 / 90) + kRounder) - kRounder;
+  const double sum = degrees * (1.0 / 90) + kRounder;
+  const double quarters = sum - kRounder;
   // The product and the difference are exact, so no digit of the angle is lost.
-  return {quarters, (degrees - quarters * 90) * kDegree};
+  return {sum, (degrees - quarters * 90) * kDegree};
 }
 
 HWY_INLINE Angle reduce_radians(double radians) {
@@ -35,8 +37,9 @@ HWY_INLINE Angle reduce_radians(double radians) {
   constexpr double kPart1 = 1.57079632673412561417e+00;
   constexpr double kPart2 = 6.07710050630396597660e-11;
   constexpr double kPart3 = 2.02226624879595063154e-21;
-  const double quarters = (radians * (2 / std::numbers::pi) + kRounder) - kRounder;
-  return {quarters, ((radians - quarters * kPart1) - quarters * kPart2) - quarters * kPart3};
+  const double sum = radians * (2 / std::numbers::pi) + kRounder;
+  const double quarters = sum - kRounder;
+  return {sum, ((radians - quarters * kPart1) - quarters * kPart2) - quarters * kPart3};
 }
 
 /// Minimax polynomials for |r| <= pi / 4 (fdlibm, k_sin.c and k_cos.c).
@@ -64,20 +67,29 @@ HWY_INLINE double cos_polynomial(double r) {
   return head + (((1 - head) - half) + z * z * p);
 }
 
+HWY_INLINE std::uint64_t bits_of(double number) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  return bits;
+}
+
+/// A number with the other sign where the first bit of `bits` is set.
+HWY_INLINE double with_sign(double number, std::uint64_t bits) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  const std::uint64_t changed = bits_of(number) ^ (bits & kSign);
+  std::memcpy(&number, &changed, sizeof number);
+  return number;
+}
+
 HWY_INLINE void place_quarter(const Angle& angle, double& sine, double& cosine) {
   const double s = sin_polynomial(angle.remainder);
   const double c = cos_polynomial(angle.remainder);
-  // The quarter within a turn: -2, -1, 0, 1 or 2.
-  const double turns = (angle.quarters * 0.25 + kRounder) - kRounder;
-  const double quarter = angle.quarters - 4 * turns;
-  const double size = quarter < 0 ? -quarter : quarter;
-  const double first = size == 1 ? c : s;
-  const double second = size == 1 ? s : c;
-  // Signs as factors: of the sine -1 for quarters 2, -2 and -1, of the cosine for 2, -2 and 1.
-  const double sine_sign = (size == 2 ? -1.0 : 1.0) * (quarter == -1 ? -1.0 : 1.0);
-  const double cosine_sign = (size == 2 ? -1.0 : 1.0) * (quarter == 1 ? -1.0 : 1.0);
-  sine = first * sine_sign;
-  cosine = second * cosine_sign;
+  // Behind an odd number of quarters sine and cosine change places. The sine is negative behind two
+  // and three, the cosine behind one and two.
+  const std::uint64_t odd = bits_of(angle.quarters) << 63;
+  const std::uint64_t half = bits_of(angle.quarters) << 62;
+  sine = with_sign(odd != 0 ? c : s, half);
+  cosine = with_sign(odd != 0 ? s : c, half ^ odd);
 }
 
 /// Whole turns are subtracted exactly; values that are not finite give NaN.
@@ -97,12 +109,12 @@ HWY_INLINE void sincos_block(const double* HWY_RESTRICT angles, double most,
   for (std::size_t i = 0; i < kBlock; ++i) {
     place_quarter(kReduce(angles[i]), sines[i], cosines[i]);
   }
-  double num_far = 0;
+  std::uint64_t is_any_far = 0;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const double size = angles[i] < 0 ? -angles[i] : angles[i];
-    num_far += size <= most ? 0.0 : 1.0;
+    is_any_far |= size <= most ? 0u : 1u;
   }
-  if (num_far == 0) return;
+  if (is_any_far == 0) return;
   for (std::size_t i = 0; i < kBlock; ++i) {
     if (!(std::abs(angles[i]) <= most)) kFar(angles[i], sines[i], cosines[i]);
   }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "simd/slerp.hpp"
+#include "simd/angles.hpp"
 
 namespace kinefile::simd {
 namespace {

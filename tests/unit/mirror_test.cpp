@@ -11,6 +11,7 @@
 #include "kinefile/kinematics.hpp"
 #include "support/figures.hpp"
 #include "support/support.hpp"
+#include "support/threads.hpp"
 #include "walk.hpp"
 
 namespace kinefile {
@@ -354,6 +355,39 @@ TEST(Mirrored, RefusesToPutAFigureOnItsHead) {
   const auto refused = edit::mirror(motion, 1, false, test::ignored());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, "EDT004");
+}
+
+/// A walk whose left joints have axes in another order, so that their angles are found.
+Motion uneven_walk() {
+  Motion walk = examples::make_walk({.num_frames = 1000});
+  for (Joint& joint : walk.skeleton.joints) {
+    const bool is_left = joint.name.rfind("Left", 0) == 0 && joint.dofs.size() == 3;
+    if (is_left) std::swap(joint.dofs[0].axis, joint.dofs[1].axis);
+  }
+  return walk;
+}
+
+TEST(Mirrored, EveryNumberOfThreadsGivesTheSameBits) {
+  for (const Motion& motion : {examples::make_walk({.num_frames = 1000}), uneven_walk()}) {
+    const auto mirrored = [&motion](std::size_t threads) {
+      const test::Threads some(threads);
+      return in_mirror(motion);
+    };
+    const Motion alone = mirrored(1);
+    for (const std::size_t threads : test::kThreadCounts) {
+      EXPECT_EQ(mirrored(threads).clip.values, alone.clip.values);
+    }
+  }
+}
+
+TEST(Mirrored, FoundAnglesPlaceTheMirrorImage) {
+  const Motion motion = uneven_walk();
+  const Motion image = in_mirror(motion);
+  for (const std::size_t frame : {0u, 500u, 999u}) {
+    EXPECT_LT(
+        (place_of(image, frame, "LeftHand") - across(place_of(motion, frame, "RightHand"))).norm(),
+        1e-9);
+  }
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(RotationBatches, ProductsAreThoseOfTheRows) {
       }
       simd::Quaternions found;
       for (const FrameBatch& frames : batches_of(kNumFrames)) {
-        rotations_in_rows(rotations, motion.clip, frames, unit, found);
+        RotationReader(rotations, unit).read(motion.clip, frames, found);
         for (std::size_t i = 0; i < frames.count; ++i) {
           const auto row = motion.clip.row(frames.first + i);
           ASSERT_LT(difference(matrix_at(found, i), rotation_in_row(rotations, row, unit)), 1e-12);
@@ -95,7 +95,7 @@ void expect_same_angles(const Motion& from, const EulerAxes& axes, AngleUnit uni
   simd::Quaternions q;
   const Rows rows = found.clip.mutate();
   for (const FrameBatch& frames : batches_of(kNumFrames)) {
-    rotations_in_rows(rotations, from.clip, frames, from.skeleton.angle_unit, q);
+    RotationReader(rotations, from.skeleton.angle_unit).read(from.clip, frames, q);
     const simd::Quaternions kept = q;
     EXPECT_EQ(fitter.fit(q, frames, rows), 0);
     for (std::size_t i = 0; i < frames.count; ++i) {
@@ -137,7 +137,7 @@ TEST(RotationBatches, InGimbalLockTheFirstAngleStays) {
     const auto rotations = rotations_of(motion.skeleton.joints[0]);
     Motion found = motion;
     simd::Quaternions q;
-    rotations_in_rows(rotations, motion.clip, {0, 20}, AngleUnit::Degrees, q);
+    RotationReader(rotations, AngleUnit::Degrees).read(motion.clip, {0, 20}, q);
     RotationFitter fitter(rotations, AngleUnit::Degrees, motion.clip.row(3));
     fitter.fit(q, {0, 20}, found.clip.mutate());
     for (std::size_t f = 0; f < 20; ++f) {
@@ -157,7 +157,7 @@ TEST(RotationBatches, WhatIsNotFiniteTouchesNoOtherFrame) {
     const auto rotations = rotations_of(motion.skeleton.joints[0]);
     Motion found = motion;
     simd::Quaternions q;
-    rotations_in_rows(rotations, motion.clip, {0, 3}, AngleUnit::Degrees, q);
+    RotationReader(rotations, AngleUnit::Degrees).read(motion.clip, {0, 3}, q);
     RotationFitter fitter(rotations, AngleUnit::Degrees, motion.clip.row(0));
     fitter.fit(q, {0, 3}, found.clip.mutate());
     for (std::size_t k = 0; k < 3; ++k) {
@@ -178,7 +178,7 @@ TEST(RotationBatches, OtherJointsAreFittedAsOneByOne) {
   std::vector<double> near(3, 0);
   RotationFitter fitter(two, AngleUnit::Degrees, near);
   simd::Quaternions q;
-  rotations_in_rows(rotations, motion.clip, {0, 40}, AngleUnit::Degrees, q);
+  RotationReader(rotations, AngleUnit::Degrees).read(motion.clip, {0, 40}, q);
   const double residual = fitter.fit(q, {0, 40}, found.clip.mutate());
   double largest = 0;
   for (std::size_t f = 0; f < 40; ++f) {

@@ -172,19 +172,18 @@ OutputFiles files_in_memory(const std::shared_ptr<std::vector<MemoryFile>>& file
 Result<void> write(const std::string& name, const Document& document, const Format& format,
                    const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics);
 
+/// The same for a motion, which is written block by block. Precondition: the format has
+/// `write_frames`. \errors also those of the motion's frames
+Result<void> write_in_blocks(const std::string& name, const LongMotion& motion,
+                             const Format& format, const WriteOptions& options,
+                             const OutputFiles& files, Diagnostics& diagnostics);
+
 /// Writes a document to a file, completely or not at all. Also writes the companion with the same
 /// stem if its format has one (the skeleton of an AMC file), but not for standard output.
 /// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, const OutputOptions& output,
                         Diagnostics& diagnostics);
-
-/// Writes a motion to a file, block by block, completely or not at all. Precondition: the format
-/// has `write_frames`. \errors those of OutputFile, of the motion's frames and of the format's
-/// writer
-Result<void> write_long_file(const std::string& path, const LongMotion& motion,
-                             const Format& format, const WriteOptions& options,
-                             const OutputOptions& output, Diagnostics& diagnostics);
 
 }  // namespace kinefile
 

@@ -48,10 +48,15 @@ std::span<const AdaptOption> adapt_options();
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
                        WriteOptions& options, Diagnostics& diagnostics);
 
-/// Whether `adapt` leaves every frame of a motion as it is, judged by its skeleton: the conventions
-/// of the format and the options ask for nothing else.
-/// \param motion  a motion without frames
-bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting);
+/// The same for a motion whose frames are read when they are asked for, with the same result and
+/// diagnostics; so are the new frames. A number that becomes too large (CNV011) is an error of
+/// these.
+/// \returns empty if that needs all frames at once, and `diagnostics` says nothing: for a skeleton,
+///          a robot or a form that is asked for, an axis that has to be turned up, a body motion,
+///          and as `adapted_in_blocks`
+std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, const Format& format,
+                                                  const AdaptOptions& adapting,
+                                                  Diagnostics& diagnostics);
 
 /// One job: read a document, change it by operations, write it.
 struct Job {

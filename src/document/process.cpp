@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "document/sources.hpp"
+#include "kinematics/limbs.hpp"
 
 namespace kinefile {
 namespace {
@@ -77,14 +78,27 @@ bool is_finite(const Document& document) {
          (motion == nullptr || is_finite(motion->clip.values));
 }
 
-}  // namespace
+Error number_too_large() {
+  return make_error(
+      ErrorKind::DataLoss, "CNV011",
+      "a number becomes larger than a double holds, by another unit or another skeleton");
+}
 
-Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
-                       WriteOptions& options, Diagnostics& diagnostics) {
+/// The channels that are asked for, with what the document's file does with positions.
+shape::ChannelOptions channels_for(const Document& document, const AdaptOptions& adapting) {
   shape::ChannelOptions channels = adapting.channels;
   const Format* const from = find_format(document.format);
   const bool knows_positions = from != nullptr && from->adds_positions != nullptr;
   channels.adds_positions = knows_positions && from->adds_positions(document);
+  return channels;
+}
+
+}  // namespace
+
+Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
+                       WriteOptions& options, Diagnostics& diagnostics) {
+  const shape::ChannelOptions channels = channels_for(document, adapting);
+  const Format* const from = find_format(document.format);
   const bool was_body = std::holds_alternative<BodyMotion>(document.content);
   const bool was_finite = from != &format && is_finite(document);
   auto made = in_wanted_kind(std::move(document), format, adapting, diagnostics);
@@ -95,8 +109,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   if (made) made = adapted_to(format, std::move(*made), channels, diagnostics);
   if (!made) return made;
   if (was_finite && !is_finite(*made)) {
-    return fail(ErrorKind::DataLoss, "CNV011",
-                "a number becomes larger than a double holds, by another unit or another skeleton");
+    return fail(number_too_large());
   }
   // The given skeleton is also used for the output if the motion still fits it.
   if (skeleton != nullptr && skeleton->format == format.companion &&
@@ -108,14 +121,87 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   return made;
 }
 
-bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting) {
-  WriteOptions options;
+namespace {
+
+/// The frames that evidence is found in, without the others.
+Result<Document> sampled(const LongMotion& motion) {
+  Document document = motion.document;
+  Clip& clip = std::get<Motion>(document.content).clip;
+  const std::size_t step = step_of_samples(motion.frames.num_frames);
+  for (std::size_t f = 0; f < motion.frames.num_frames; f += step) {
+    const auto row = motion.frames.rows(f, 1);
+    if (!row) return fail(row.error());
+    clip.values.append(*row);
+    ++clip.num_frames;
+  }
+  return document;
+}
+
+/// Whether a motion gets another form than a format's conventions say, which needs all frames.
+bool asks_for_another_kind(const AdaptOptions& adapting) {
+  return adapting.kinds.form || !adapting.skeleton_name.empty() || adapting.robot;
+}
+
+/// The motion if `in_wanted_kind` says nothing about it and leaves its frames as they are.
+std::optional<LongMotion> of_wanted_kind(LongMotion motion, const Format& format,
+                                         const AdaptOptions& adapting) {
+  if (asks_for_another_kind(adapting)) return std::nullopt;
+  auto sample = sampled(motion);
+  if (!sample) return std::nullopt;
   Diagnostics changes;
-  const auto adapted = adapt(motion, format, adapting, options, changes);
-  const bool is_motion = adapted && std::holds_alternative<Motion>(adapted->content);
-  return is_motion && changes.items().empty() &&
-         skeleton_of(*adapted).angle_unit == skeleton_of(motion).angle_unit &&
-         are_written_alike(format, motion, *adapted);
+  const auto found = in_wanted_kind(*std::move(sample), format, adapting, changes);
+  const bool stays =
+      found && changes.items().empty() && std::holds_alternative<Motion>(found->content);
+  if (!stays) return std::nullopt;
+  // The axis that points up may be known now.
+  std::get<Motion>(motion.document.content).skeleton = skeleton_of(*found);
+  return motion;
+}
+
+Result<bool> is_finite(const FrameSource& frames) {
+  bool are_finite = true;
+  const auto read = for_each_block(frames, [&](const FrameBlock& block) {
+    are_finite = is_finite(block.rows);
+    return are_finite;
+  });
+  if (!read && are_finite) return fail(read.error());
+  return are_finite;
+}
+
+/// The same frames, unless a number of theirs is not finite though all of the old ones are.
+FrameSource while_finite(FrameSource frames, const LongMotion& old) {
+  frames.rows = [rows = std::move(frames.rows), old](
+                    std::size_t first, std::size_t count) -> Result<std::span<const double>> {
+    auto made = rows(first, count);
+    if (!made || is_finite(*made)) return made;
+    const auto was_finite = is_finite(old.frames);
+    if (!was_finite) return fail(was_finite.error());
+    if (*was_finite) return fail(number_too_large());
+    return rows(first, count);
+  };
+  return frames;
+}
+
+}  // namespace
+
+std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, const Format& format,
+                                                  const AdaptOptions& adapting,
+                                                  Diagnostics& diagnostics) {
+  const Format* const from = find_format(motion.document.format);
+  const shape::ChannelOptions channels = channels_for(motion.document, adapting);
+  const auto of_kind = of_wanted_kind(motion, format, adapting);
+  if (!of_kind) return std::nullopt;
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  auto made = adapted_in_blocks(format, *of_kind, channels, own);
+  if (!made) return std::nullopt;
+  if (*made && from != &format && is_finite(skeleton_of(motion.document))) {
+    LongMotion& adapted = **made;
+    if (!is_finite(skeleton_of(adapted.document))) return std::nullopt;
+    adapted.frames = while_finite(std::move(adapted.frames), motion);
+  }
+  diagnostics.append(std::move(own));
+  return made;
 }
 
 Report process(const Job& job, const OutputFiles& files) {

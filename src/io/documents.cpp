@@ -98,13 +98,13 @@ Result<void> with_fault(Result<void> written, const OutputFiles& files) {
   return fault ? written : fault;
 }
 
-/// Writes a document that is one file.
-Result<void> write_one(const std::string& name, const Document& document, const Format& format,
-                       const WriteOptions& options, const OutputFiles& files,
-                       Diagnostics& diagnostics) {
+/// Writes one file.
+/// \param print  writes its content
+Result<void> write_one(const std::string& name, const OutputFiles& files,
+                       FunctionRef<Result<void>(const Sink& sink)> print) {
   const auto sink = files.open(name);
   if (!sink) return fail(sink.error());
-  return with_fault(format.write(document, options, *sink, diagnostics), files);
+  return with_fault(print(*sink), files);
 }
 
 }  // namespace
@@ -214,8 +214,30 @@ Result<void> write_companion(const std::string& path, const Document& document,
   }
   Document companion = document;
   if (has_skeleton(document)) companion.content = skeleton_of(document);
-  auto written = write_one(name, companion, other, options, files, diagnostics);
+  auto written = write_one(name, files, [&](const Sink& sink) {
+    return other.write(companion, options, sink, diagnostics);
+  });
   options.companion = name.substr(name.find_last_of('/') + 1);
+  return written;
+}
+
+/// Writes a document that is one file, and its companion.
+/// \param print  writes the file's content, by options that name the companion
+Result<void> write_with_companion(
+    const std::string& name, const Document& document, const Format& format,
+    const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics,
+    FunctionRef<Result<void>(const WriteOptions& options, const Sink& sink)> print) {
+  WriteOptions with_companion = options;
+  if (!format.companion.empty() && options.writes_companion) {
+    auto written = write_companion(name, document, format, with_companion, files, diagnostics);
+    if (!written) return written;
+  }
+  return write_one(name, files, [&](const Sink& sink) { return print(with_companion, sink); });
+}
+
+/// With --strict a warning of a writer is an error, and the file is not created.
+Result<void> unless_strict(Result<void> written, const Diagnostics& diagnostics) {
+  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
   return written;
 }
 
@@ -240,30 +262,27 @@ Result<void> write(const std::string& name, const Document& document, const Form
     return fail(ErrorKind::Usage, "FMT002",
                 std::string(format.name) + reason + "; what is written: " + writable);
   }
-  WriteOptions with_companion = options;
-  Result<void> written;
   if (format.write_set != nullptr) {
-    written = write_set(name, document, format, options, files, diagnostics);
-  } else {
-    if (!format.companion.empty() && options.writes_companion) {
-      written = write_companion(name, document, format, with_companion, files, diagnostics);
-    }
-    if (written) written = write_one(name, document, format, with_companion, files, diagnostics);
+    return unless_strict(write_set(name, document, format, options, files, diagnostics),
+                         diagnostics);
   }
-  // With --strict a warning of a writer is an error, and the file is not created.
-  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
-  return written;
+  const auto print = [&](const WriteOptions& with_companion, const Sink& sink) {
+    return format.write(document, with_companion, sink, diagnostics);
+  };
+  return unless_strict(
+      write_with_companion(name, document, format, options, files, diagnostics, print),
+      diagnostics);
 }
 
-Result<void> write_long_file(const std::string& path, const LongMotion& motion,
+Result<void> write_in_blocks(const std::string& name, const LongMotion& motion,
                              const Format& format, const WriteOptions& options,
-                             const OutputOptions& output, Diagnostics& diagnostics) {
-  const OutputFiles files = files_on_disk(output);
-  const auto sink = files.open(path);
-  if (!sink) return fail(sink.error());
-  auto written = with_fault(format.write_frames(motion, options, *sink, diagnostics), files);
-  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
-  return written ? files.commit() : written;
+                             const OutputFiles& files, Diagnostics& diagnostics) {
+  const auto print = [&](const WriteOptions& with_companion, const Sink& sink) {
+    return format.write_frames(motion, with_companion, sink, diagnostics);
+  };
+  return unless_strict(
+      write_with_companion(name, motion.document, format, options, files, diagnostics, print),
+      diagnostics);
 }
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,

@@ -10,12 +10,12 @@
 namespace kinefile::cli {
 
 std::optional<LongMotion> open_long(const std::string& path, const Reading& reading,
-                                    double most_bytes_in_memory, Diagnostics& diagnostics) {
+                                    bool is_changed, Diagnostics& diagnostics) {
   diagnostics.warnings_are_errors = reading.is_strict;
   if (!reading.skeleton.empty() || !reading.project.empty()) return std::nullopt;
   const Format* const from = reading.from.empty() ? nullptr : find_format(reading.from);
-  auto motion =
-      open_long_motion(path, from, most_bytes_in_memory, read_options(reading), diagnostics);
+  auto motion = open_long_motion(path, from, most_bytes_in_memory(is_changed),
+                                 read_options(reading), diagnostics);
   if (motion) note_format(find_format(motion->document.format), reading);
   return motion;
 }
@@ -54,10 +54,8 @@ std::optional<int> write_long(const std::string& path, const Format& format, con
                               const Reading& reading, const ChangeLong& change,
                               const Globals& globals) {
   if (format.write_frames == nullptr) return std::nullopt;
-  // A change makes a second motion, which reading whole would keep, too.
-  const double most_bytes = change ? kMostBytesInMemory / 2 : kMostBytesInMemory;
   Diagnostics found;
-  auto motion = open_long(path, reading, most_bytes, found);
+  auto motion = open_long(path, reading, change != nullptr, found);
   if (!motion) return std::nullopt;
   const Format* const output = output_format(writing, path, motion->document);
   if (output == nullptr || output->write_frames == nullptr) return std::nullopt;

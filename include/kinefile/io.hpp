@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "kinefile/array.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/function_ref.hpp"
 #include "kinefile/robot_project.hpp"
 
 #pragma GCC visibility push(default)
@@ -34,6 +36,10 @@ class FileBytes {
  private:
   std::shared_ptr<const Array<char>> bytes_;
 };
+
+/// The bytes of a regular file, which stays open as long as there are copies; reading them fails as
+/// soon as the file has changed. Empty if it cannot be opened, or is no regular file.
+std::optional<ByteSource> open_pieces(const std::string& path);
 
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
 /// cannot make its reader open other files.
@@ -155,6 +161,13 @@ struct OutputFiles {
 
 /// Files on the disk (see `OutputFile`); "-" is standard output.
 OutputFiles files_on_disk(const OutputOptions& options = {});
+
+/// Writes a file. Nothing is committed.
+/// \param print  writes its content to a sink; an error of its own is one of the file if that has
+///               one
+/// \errors those of `files` and of `print`
+Result<void> write_content(const std::string& name, const OutputFiles& files,
+                           FunctionRef<Result<void>(const Sink& sink)> print);
 
 /// A file that was written to memory.
 struct MemoryFile {

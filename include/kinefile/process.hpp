@@ -67,12 +67,19 @@ struct Job {
   bool strict = false;  ///< warnings are errors
   /// Changes the document before the operations do; null: only they change it.
   std::function<Result<void>(Document& document, Diagnostics& diagnostics)> change = {};
+  /// Changes a motion whose frames are read when they are asked for as `change` changes all of
+  /// them; null: none if `change` is null, otherwise `change` needs all frames.
+  std::function<Result<LongMotion>(LongMotion motion, Diagnostics& diagnostics)> change_in_blocks =
+      {};
   std::vector<Operation> operations = {};
   OperationContext context = {};
   std::string target;          ///< the output's name; its companions are named after it
   const Format* to = nullptr;  ///< null: see `format_of_output`
   AdaptOptions adapting = {};
   WriteOptions writing = {};
+  /// A file whose motion needs more memory is read, changed and written block by block, if its
+  /// format and all steps allow that (see `open_long_motion`, `adapt_in_blocks`). Absent: never.
+  std::optional<double> most_bytes_in_memory = std::nullopt;
 };
 
 /// The result of a job.

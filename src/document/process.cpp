@@ -204,7 +204,86 @@ std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, cons
   return made;
 }
 
+namespace {
+
+/// Writes the outputs of a job, and commits them.
+/// \param print  writes them to the files that it is given
+void write_outputs(const OutputFiles& files,
+                   FunctionRef<Result<void>(const OutputFiles& files)> print, Report& report) {
+  OutputFiles told = files;
+  std::vector<std::string> names;
+  told.open = [&files, &names](const std::string& name) {
+    names.push_back(name);
+    return files.open(name);
+  };
+  auto written = print(told);
+  if (written) written = files.commit();
+  if (written) {
+    report.files = std::move(names);
+  } else {
+    report.error = std::move(written.error());
+  }
+}
+
+const Format* output_format(const Job& job, const Document& document) {
+  if (job.to != nullptr) return job.to;
+  return format_of_output(job.target, job.source, find_format(document.format));
+}
+
+bool may_be_in_blocks(const Job& job) {
+  return job.most_bytes_in_memory && !job.bytes && job.operations.empty() &&
+         (!job.change || job.change_in_blocks);
+}
+
+/// The motion of a job as it is written; empty if some step needs all frames at once.
+std::optional<Result<LongMotion>> made_in_blocks(const Job& job, LongMotion motion,
+                                                 const Format& format, Diagnostics& diagnostics) {
+  if (job.change_in_blocks) {
+    auto changed = job.change_in_blocks(std::move(motion), diagnostics);
+    if (!changed) return changed;
+    motion = *std::move(changed);
+  }
+  return adapt_in_blocks(motion, format, job.adapting, diagnostics);
+}
+
+/// Runs a job block by block; empty if that is not possible, and nothing is done.
+std::optional<Report> process_in_blocks(const Job& job, const OutputFiles& files) {
+  if (!may_be_in_blocks(job)) return std::nullopt;
+  Report report;
+  report.diagnostics.warnings_are_errors = job.strict;
+  ReadOptions reading = job.reading;
+  if (reading.opened) reading.opened = std::make_shared<std::vector<CompanionFile>>();
+  auto motion = open_long_motion(job.source, job.from, *job.most_bytes_in_memory, reading,
+                                 report.diagnostics);
+  if (!motion) return std::nullopt;
+  const Format* const format = output_format(job, motion->document);
+  if (format == nullptr || format->write_frames == nullptr) return std::nullopt;
+  const auto made = made_in_blocks(job, *std::move(motion), *format, report.diagnostics);
+  if (!made) return std::nullopt;
+  if (reading.opened) {
+    job.reading.opened->insert(job.reading.opened->end(), reading.opened->begin(),
+                               reading.opened->end());
+  }
+  if (!*made) {
+    report.error = made->error();
+    return report;
+  }
+  const LongMotion& adapted = **made;
+  report.kind = kind_name(adapted.document);
+  write_outputs(
+      files,
+      [&](const OutputFiles& told) {
+        return write_in_blocks(job.target, adapted, *format, job.writing, told, report.diagnostics);
+      },
+      report);
+  if (!report.error) report.num_frames = adapted.frames.num_frames;
+  return report;
+}
+
+}  // namespace
+
 Report process(const Job& job, const OutputFiles& files) {
+  if (auto report = process_in_blocks(job, files)) return *std::move(report);
   Report report;
   report.diagnostics.warnings_are_errors = job.strict;
   const auto ended = [&report](const Error& error) {
@@ -216,9 +295,7 @@ Report process(const Job& job, const OutputFiles& files) {
                 : read_file(job.source, job.from, job.reading, report.diagnostics);
   if (!document) return ended(document.error());
   report.kind = kind_name(*document);
-  const Format* format =
-      job.to != nullptr ? job.to
-                        : format_of_output(job.target, job.source, find_format(document->format));
+  const Format* const format = output_format(job, *document);
   if (format == nullptr) {
     return ended(make_error(ErrorKind::Usage, "CLI001",
                             fmt::format("'{}' shows no format by its name", job.target)));
@@ -229,19 +306,14 @@ Report process(const Job& job, const OutputFiles& files) {
   WriteOptions options = job.writing;
   auto adapted = adapt(std::move(*document), *format, job.adapting, options, report.diagnostics);
   if (!adapted) return ended(adapted.error());
-  OutputFiles told = files;
-  std::vector<std::string> names;
-  told.open = [&files, &names](const std::string& name) {
-    names.push_back(name);
-    return files.open(name);
-  };
-  auto written = write(job.target, *adapted, *format, options, told, report.diagnostics);
-  if (written) written = files.commit();
-  if (!written) return ended(written.error());
-  if (const Motion* motion = std::get_if<Motion>(&adapted->content)) {
-    report.num_frames = motion->clip.num_frames;
-  }
-  report.files = std::move(names);
+  write_outputs(
+      files,
+      [&](const OutputFiles& told) {
+        return write(job.target, *adapted, *format, options, told, report.diagnostics);
+      },
+      report);
+  const Motion* const motion = std::get_if<Motion>(&adapted->content);
+  if (!report.error && motion != nullptr) report.num_frames = motion->clip.num_frames;
   return report;
 }
 

@@ -98,16 +98,14 @@ Result<void> with_fault(Result<void> written, const OutputFiles& files) {
   return fault ? written : fault;
 }
 
-/// Writes one file.
-/// \param print  writes its content
-Result<void> write_one(const std::string& name, const OutputFiles& files,
-                       FunctionRef<Result<void>(const Sink& sink)> print) {
+}  // namespace
+
+Result<void> write_content(const std::string& name, const OutputFiles& files,
+                           FunctionRef<Result<void>(const Sink& sink)> print) {
   const auto sink = files.open(name);
   if (!sink) return fail(sink.error());
   return with_fault(print(*sink), files);
 }
-
-}  // namespace
 
 Result<Document> read_bytes(std::string_view bytes, const std::string& name, const Format* format,
                             ReadOptions options, Diagnostics& diagnostics) {
@@ -214,7 +212,7 @@ Result<void> write_companion(const std::string& path, const Document& document,
   }
   Document companion = document;
   if (has_skeleton(document)) companion.content = skeleton_of(document);
-  auto written = write_one(name, files, [&](const Sink& sink) {
+  auto written = write_content(name, files, [&](const Sink& sink) {
     return other.write(companion, options, sink, diagnostics);
   });
   options.companion = name.substr(name.find_last_of('/') + 1);
@@ -232,7 +230,7 @@ Result<void> write_with_companion(
     auto written = write_companion(name, document, format, with_companion, files, diagnostics);
     if (!written) return written;
   }
-  return write_one(name, files, [&](const Sink& sink) { return print(with_companion, sink); });
+  return write_content(name, files, [&](const Sink& sink) { return print(with_companion, sink); });
 }
 
 /// With --strict a warning of a writer is an error, and the file is not created.

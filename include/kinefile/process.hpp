@@ -52,8 +52,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
 /// diagnostics; so are the new frames. A number that becomes too large (CNV011) is an error of
 /// these.
 /// \returns empty if that needs all frames at once, and `diagnostics` says nothing: for a skeleton,
-///          a robot or a form that is asked for, an axis that has to be turned up, a body motion,
-///          and as `adapted_in_blocks`
+///          a robot or a form that is asked for, a body motion, and as `adapted_in_blocks`
 std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, const Format& format,
                                                   const AdaptOptions& adapting,
                                                   Diagnostics& diagnostics);

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "document/sources.hpp"
+#include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
 #include "kinematics/limbs.hpp"
 
 namespace kinefile {
@@ -142,20 +144,20 @@ bool asks_for_another_kind(const AdaptOptions& adapting) {
   return adapting.kinds.form || !adapting.skeleton_name.empty() || adapting.robot;
 }
 
-/// The motion if `in_wanted_kind` says nothing about it and leaves its frames as they are.
+/// As `in_wanted_kind`, by what that makes of the frames that evidence is found in; empty if it
+/// fails or makes no motion.
 std::optional<LongMotion> of_wanted_kind(LongMotion motion, const Format& format,
-                                         const AdaptOptions& adapting) {
+                                         const AdaptOptions& adapting, Diagnostics& diagnostics) {
   if (asks_for_another_kind(adapting)) return std::nullopt;
   auto sample = sampled(motion);
   if (!sample) return std::nullopt;
-  Diagnostics changes;
-  const auto found = in_wanted_kind(*std::move(sample), format, adapting, changes);
-  const bool stays =
-      found && changes.items().empty() && std::holds_alternative<Motion>(found->content);
-  if (!stays) return std::nullopt;
-  // The axis that points up may be known now.
-  std::get<Motion>(motion.document.content).skeleton = skeleton_of(*found);
-  return motion;
+  const std::size_t up = find_up_axis(std::get<Motion>(sample->content)).axis;
+  const auto found = in_wanted_kind(*std::move(sample), format, adapting, diagnostics);
+  if (!found || !std::holds_alternative<Motion>(found->content)) return std::nullopt;
+  const std::optional<std::size_t> new_up = skeleton_of(*found).up;
+  Skeleton& skeleton = std::get<Motion>(motion.document.content).skeleton;
+  if (new_up) skeleton.up = up;
+  return !new_up || new_up == up ? motion : edit::up(motion, *new_up);
 }
 
 Result<bool> is_finite(const FrameSource& frames) {
@@ -189,10 +191,10 @@ std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, cons
                                                   Diagnostics& diagnostics) {
   const Format* const from = find_format(motion.document.format);
   const shape::ChannelOptions channels = channels_for(motion.document, adapting);
-  const auto of_kind = of_wanted_kind(motion, format, adapting);
-  if (!of_kind) return std::nullopt;
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
+  const auto of_kind = of_wanted_kind(motion, format, adapting, own);
+  if (!of_kind) return std::nullopt;
   auto made = adapted_in_blocks(format, *of_kind, channels, own);
   if (!made) return std::nullopt;
   if (*made && from != &format && is_finite(skeleton_of(motion.document))) {

@@ -120,12 +120,15 @@ std::string figure_text(const std::string& order, HandPositions hand, std::size_
 }
 
 std::vector<AdaptOptions> ways_to_adapt() {
-  std::vector<AdaptOptions> ways(5);
+  std::vector<AdaptOptions> ways(7);
   ways[1].channels.order = shape::RotationOrder{0, 1, 2};
   ways[2].channels.positions = shape::PositionChannels::Root;
   ways[3].channels.positions = shape::PositionChannels::Root;
   ways[3].channels.lenient = true;
   ways[4].channels.positions = shape::PositionChannels::All;
+  ways[5].kinds.up = 2;
+  ways[6].kinds.up = 1;
+  ways[6].channels.order = shape::RotationOrder{2, 0, 2};
   return ways;
 }
 
@@ -219,9 +222,6 @@ TEST(LongAdapt, IsLeftToWhoReadsTheFileWhole) {
     return is_empty;
   };
   EXPECT_FALSE(is_left("amc", {}));
-  AdaptOptions turned;
-  turned.kinds.up = 2;
-  EXPECT_TRUE(is_left("amc", turned));
   EXPECT_TRUE(is_left("choreonoid", {}));
   AdaptOptions links;
   links.kinds.form = robot::BodyForm::Links;
@@ -234,17 +234,17 @@ TEST(LongAdapt, IsLeftToWhoReadsTheFileWhole) {
 TEST(LongAdapt, AsksTheFramesWhichAxisPointsUp) {
   // It stands along y at rest, and along z in every frame.
   std::string text = figure_text("ZXY", HandPositions::Constant, 1);
-  text = text.substr(0, text.find("MOTION")) + "MOTION\nFrames: 2\nFrame Time: 0.01\n";
-  for (const char* x : {"1", "100"}) text += fmt::format("{} 0 0 0 90 0 0 0 0 1 5 0 0 0 0\n", x);
+  text = text.substr(0, text.find("MOTION")) + "MOTION\nFrames: 3\nFrame Time: 0.01\n";
+  for (const int x : {1, 100, 7}) text += fmt::format("{} 0 0 0 90 0 0 0 0 1 5 0 0 0 0\n", x);
   const Document document = *read_bvh(text).document;
   AdaptOptions adapting;
   adapting.kinds.up = 1;
-  const Format& bvh = *find_format("bvh");
-  WriteOptions writing;
-  Diagnostics told;
-  ASSERT_TRUE(adapt(document, bvh, adapting, writing, told));
-  EXPECT_EQ(count_code(told, "CNV004"), 1u);
-  EXPECT_FALSE(adapt_in_blocks(as_long(document), bvh, adapting, ignored()));
+  for (const char* format : {"bvh", "amc", "csv"}) {
+    Diagnostics told;
+    ASSERT_TRUE(adapt_in_blocks(as_long(document), *find_format(format), adapting, told));
+    EXPECT_EQ(count_code(told, "CNV004"), 1u);
+    expect_same(document, format, adapting, format);
+  }
 }
 
 TEST(LongAdapt, RefusesANumberThatBecomesTooLarge) {

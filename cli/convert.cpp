@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -18,16 +19,27 @@ struct Convert {
   Reading reading;
 };
 
+/// The first bytes of a file; empty if it cannot be read.
+std::optional<std::string> head_of(const std::string& path) {
+  constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
+  if (const auto pieces = open_pieces(path)) {
+    std::string head(std::min(kHeadBytes, pieces->size), '\0');
+    return pieces->read(0, head) ? std::optional(std::move(head)) : std::nullopt;
+  }
+  const auto bytes = FileBytes::open(path);
+  if (!bytes) return std::nullopt;
+  return std::string(bytes->view().substr(0, kHeadBytes));
+}
+
 /// The format of the output before the input is read, which may depend on the input's content.
 const Format* expected_format(const Convert& convert) {
   const Format* format = output_format(convert.writing);
   const bool is_asked_for = !convert.writing.to.empty() || convert.writing.out == "-";
   const bool depends_on_input = format == nullptr || !convert.reading.options.encoding.empty();
   if (is_asked_for || !depends_on_input) return format;
-  constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
   const Format* input = find_format(convert.reading.from);
-  if (const auto bytes = FileBytes::open(convert.in); bytes && input == nullptr) {
-    input = detect_format(bytes->view().substr(0, kHeadBytes), convert.in);
+  if (const auto head = head_of(convert.in); head && input == nullptr) {
+    input = detect_format(*head, convert.in);
   }
   return format_of_output(convert.writing.out, convert.in, input);
 }
@@ -42,7 +54,7 @@ int run_on_many(Convert& convert, const Globals& globals) {
     return usage_error(globals, "--out-dir needs --to, the format of the outputs");
   }
   settle_encoding(*find_format(convert.writing.to), convert.reading);
-  return run_many_documents(convert.many, convert.reading, convert.writing, {}, {}, globals);
+  return run_many_documents(convert.many, convert.reading, convert.writing, {}, {}, {}, globals);
 }
 
 int run(Convert& convert, const Globals& globals) {

@@ -67,7 +67,7 @@ int run_on_many(Edit& edit, const Globals& globals) {
                                           const Reading& reading, Diagnostics& diagnostics) {
     return apply_all(*operations, document, reading, diagnostics);
   };
-  return run_many_documents(edit.many, edit.reading, edit.writing, change, edit.words, globals);
+  return run_many_documents(edit.many, edit.reading, edit.writing, change, {}, edit.words, globals);
 }
 
 int run(Edit& edit, const Globals& globals) {

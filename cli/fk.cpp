@@ -48,24 +48,23 @@ FkOptions options_of(const Fk& fk) {
   return options;
 }
 
-/// \param write  writes the table; a fault of the file is reported when it is committed
-int write_file(const Fk& fk, const Globals& globals,
-               const std::function<Result<void>(const Sink& sink)>& write) {
-  auto file = OutputFile::create(fk.out, output_options(fk.may_replace));
-  if (!file) {
-    print_error(file.error(), globals);
-    return exit_code_of(file.error());
-  }
-  const Sink sink = [&file](std::string_view piece) { return file->write(piece); };
-  const auto written = write(sink);
-  if (!written && written.error().code != "IO003") {
-    print_error(written.error(), globals);
-    return exit_code_of(written.error());
-  }
-  const auto committed = file->commit();
-  if (committed) return kDone;
-  print_error(committed.error(), globals);
-  return exit_code_of(committed.error());
+Result<void> write_file(const std::string& name, const FkTable& table, const Format& format,
+                        const Fk& fk, const OutputFiles& files) {
+  auto written = write_content(
+      name, files, [&](const Sink& sink) { return write_table(table, format, fk.format, sink); });
+  return written ? files.commit() : written;
+}
+
+/// Writes the table of one file, if there is one.
+/// \returns the exit code
+int finish(const Result<FkTable>& table, const Format& format, const Fk& fk,
+           const Globals& globals) {
+  const auto written =
+      table ? write_file(fk.out, *table, format, fk, files_on_disk(output_options(fk.may_replace)))
+            : Result<void>(fail(table.error()));
+  if (written) return kDone;
+  print_error(written.error(), globals);
+  return exit_code_of(written.error());
 }
 
 bool takes_poses(const Format& format) { return format.write_poses != nullptr; }
@@ -118,23 +117,37 @@ int compare(const Fk& fk, const Document& document, const Globals& globals) {
   return diagnostics.has_errors() ? kInvalid : kDone;
 }
 
-/// Writes the table of one of many files.
-Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
-                                            const Reading& reading, const OutputFiles& files,
-                                            Diagnostics& diagnostics) {
-  auto document = load_quietly(file.path, reading, diagnostics);
+/// Opens the motion of a file that is too large for memory; empty if it has to be read whole.
+std::optional<LongMotion> open_long_for(const Fk& fk, const std::string& path,
+                                        const Reading& reading, Diagnostics& diagnostics) {
+  if (fk.is_comparing || fk.is_rest) return std::nullopt;
+  return open_long(path, reading, false, diagnostics);
+}
+
+/// The table of one of many files.
+Result<FkTable> table_of(const Fk& fk, const std::string& path, const Reading& reading,
+                         Diagnostics& diagnostics) {
+  FkOptions options = options_of(fk);
+  options.name = path;
+  if (const auto motion = open_long_for(fk, path, reading, diagnostics)) {
+    return kinefile::fk(*motion, options);
+  }
+  auto document = load_quietly(path, reading, diagnostics);
   if (!document) return fail(std::move(document.error()));
   auto placed = place(*document, source_of_skeleton(reading), reading.is_lenient, diagnostics);
   if (!placed) return fail(std::move(placed.error()));
   if (diagnostics.has_errors()) return fail(diagnostics.first_error());
-  FkOptions options = options_of(fk);
-  options.name = file.path;
-  const auto table = kinefile::fk(std::move(*placed), options);
+  return kinefile::fk(std::move(*placed), options);
+}
+
+/// Writes the table of one of many files.
+Result<std::vector<std::string>> make_table(const Fk& fk, const ManyFile& file,
+                                            const Reading& reading, const OutputFiles& files,
+                                            Diagnostics& diagnostics) {
+  const auto table = table_of(fk, file.path, reading, diagnostics);
   if (!table) return fail(table.error());
-  const auto sink = files.open(file.target);
-  if (!sink) return fail(sink.error());
-  write_table(*table, *file.to, fk.format, *sink);
-  if (auto written = files.commit(); !written) return fail(std::move(written.error()));
+  auto written = write_file(file.target, *table, *file.to, fk, files);
+  if (!written) return fail(std::move(written.error()));
   return std::vector<std::string>{file.target};
 }
 
@@ -163,20 +176,12 @@ int expect_effects(const Fk& fk, const Format& format, const Globals& globals) {
 
 /// Places a motion that is too large for memory; empty if it is not.
 std::optional<int> run_on_long(const Fk& fk, const Format& format, const Globals& globals) {
-  if (fk.is_comparing || fk.is_rest) return std::nullopt;
   Diagnostics diagnostics;
-  const auto motion = open_long(fk.file, fk.reading, kMostBytesInMemory, diagnostics);
+  const auto motion = open_long_for(fk, fk.file, fk.reading, diagnostics);
   if (!motion) return std::nullopt;
   print_diagnostics(STDERR_FILENO, diagnostics, globals);
   if (expect_effects(fk, format, globals) != kDone) return kUsage;
-  const auto table = kinefile::fk(*motion, options_of(fk));
-  if (table) {
-    return write_file(fk, globals, [&](const Sink& sink) {
-      return write_table(*table, motion->frames, format, fk.format, sink);
-    });
-  }
-  print_error(table.error(), globals);
-  return exit_code_of(table.error());
+  return finish(kinefile::fk(*motion, options_of(fk)), format, fk, globals);
 }
 
 int run(const Fk& fk, const Globals& globals) {
@@ -200,15 +205,7 @@ int run(const Fk& fk, const Globals& globals) {
   if (!placed) return print_failure(placed.error(), diagnostics, fk.file, globals);
   if (diagnostics.has_errors()) return kInvalid;
   if (expect_effects(fk, *format, globals) != kDone) return kUsage;
-  const auto table = kinefile::fk(std::move(*placed), options_of(fk));
-  if (table) {
-    return write_file(fk, globals, [&](const Sink& sink) -> Result<void> {
-      write_table(*table, *format, fk.format, sink);
-      return {};
-    });
-  }
-  print_error(table.error(), globals);
-  return exit_code_of(table.error());
+  return finish(kinefile::fk(std::move(*placed), options_of(fk)), *format, fk, globals);
 }
 
 }  // namespace

@@ -13,12 +13,15 @@
 namespace kinefile::cli {
 
 /// Motions whose values need less memory are read whole, since each frame is then read once.
-inline constexpr double kMostBytesInMemory = 96.0 * 1024 * 1024;
+/// \param is_changed  a change makes a second motion, which reading whole would keep, too
+constexpr double most_bytes_in_memory(bool is_changed) {
+  return (is_changed ? 48.0 : 96.0) * 1024 * 1024;
+}
 
 /// Opens the motion of a file that is too large for memory.
 /// \returns empty if the file has to be read whole, and nothing is printed
 std::optional<LongMotion> open_long(const std::string& path, const Reading& reading,
-                                    double most_bytes_in_memory, Diagnostics& diagnostics);
+                                    bool is_changed, Diagnostics& diagnostics);
 
 /// Changes a motion, block by block.
 using ChangeLong = std::function<Result<LongMotion>(LongMotion motion, Diagnostics& diagnostics)>;

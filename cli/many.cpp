@@ -51,7 +51,7 @@ struct Inputs {
 
   /// Takes the states of those that were opened, whose bytes are then let go.
   void settle() {
-    for (const CompanionFile& file : *opened) states.push_back(state_of(file.name, file.bytes));
+    for (const CompanionFile& file : *opened) states.push_back(state_of(file));
     opened->clear();
   }
 };
@@ -124,6 +124,7 @@ Outcome work_on(ManyRun& run, const ManyFile& file) {
   Reading reading = run.reading;
   Inputs inputs;
   reading.options.opened = inputs.opened;
+  reading.options.holds_opened = false;
   outcome.diagnostics.warnings_are_errors = reading.is_strict;
   auto outputs = made(run, file, reading, output_files(inputs, may_replace), outcome.diagnostics);
   if (outputs) {
@@ -167,8 +168,8 @@ std::uint64_t hash_of_options(const ManyWork& work) {
     text += '\0' + word;
     std::error_code ignored;
     if (!fs::is_regular_file(word, ignored)) return;
-    if (const auto bytes = FileBytes::open(word)) {
-      text += fmt::format("{}", content_hash(bytes->view()));
+    if (const auto bytes = open_pieces(word)) {
+      text += fmt::format("{}", content_hash(*bytes).value_or(0));
     }
   };
   for (const CLI::Option* option : work.reading->command->get_options()) {

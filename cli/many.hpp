@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "long_motions.hpp"
 #include "writing.hpp"
 
 // Commands that take one file take many with --out-dir.
@@ -68,10 +69,11 @@ using ManyChange = std::function<Result<void>(const ManyFile& file, Document& do
                                               const Reading& reading, Diagnostics& diagnostics)>;
 
 /// Runs a command that makes a document of each document.
-/// \param change  null: none
-/// \param words   positional arguments that are for `change`
+/// \param change            null: none
+/// \param change_in_blocks  the same for a motion that is too large for memory; null: as none
+/// \param words             positional arguments that are for `change`
 int run_many_documents(const Many& many, const Reading& reading, const Writing& writing,
-                       const ManyChange& change, const std::vector<std::string>& words,
-                       const Globals& globals);
+                       const ManyChange& change, const ChangeLong& change_in_blocks,
+                       const std::vector<std::string>& words, const Globals& globals);
 
 }  // namespace kinefile::cli

@@ -16,12 +16,20 @@ struct Resample {
   Retiming retiming;
 };
 
+/// Resamples motions that are too large for memory.
+ChangeLong in_blocks(const Resample& resample) {
+  return [&resample](LongMotion motion, Diagnostics& diagnostics) {
+    return retime::resample(std::move(motion), resample.frame_rate, options_of(resample.retiming),
+                            diagnostics);
+  };
+}
+
 int run_on_many(const Resample& resample, const Globals& globals) {
   const auto retime = [&resample](Document& document, Diagnostics& diagnostics) {
     return retime::resample(document, resample.frame_rate, options_of(resample.retiming),
                             diagnostics);
   };
-  return retime_many(resample.retiming, retime, globals);
+  return retime_many(resample.retiming, retime, in_blocks(resample), globals);
 }
 
 /// Resamples a motion that is too large for memory; empty if it is not.
@@ -31,11 +39,8 @@ std::optional<int> run_on_long(const Resample& resample, const Globals& globals)
   const Format* format = output_format(writing);
   if (format == nullptr) format = format_of_name(resample.file);
   if (format == nullptr) return std::nullopt;
-  const auto change = [&resample](LongMotion motion, Diagnostics& diagnostics) {
-    return retime::resample(std::move(motion), resample.frame_rate, options_of(resample.retiming),
-                            diagnostics);
-  };
-  return write_long(resample.file, *format, writing, retiming.reading, change, globals);
+  return write_long(resample.file, *format, writing, retiming.reading, in_blocks(resample),
+                    globals);
 }
 
 int run(const Resample& resample, const Globals& globals) {

@@ -42,13 +42,14 @@ void add_retiming_inputs(CLI::App& command, std::string& file, Retiming& retimin
 int retime_many(
     const Retiming& retiming,
     const std::function<Result<void>(Document& document, Diagnostics& diagnostics)>& retime,
-    const Globals& globals) {
+    const ChangeLong& retime_in_blocks, const Globals& globals) {
   const ManyChange change = [&retime](const ManyFile& file, Document& document, const Reading&,
                                       Diagnostics& diagnostics) -> Result<void> {
     if (!retime::has_frames(document)) return fail(no_motion(file.path));
     return retime(document, diagnostics);
   };
-  return run_many_documents(retiming.many, retiming.reading, retiming.writing, change, {}, globals);
+  return run_many_documents(retiming.many, retiming.reading, retiming.writing, change,
+                            retime_in_blocks, {}, globals);
 }
 
 void add_retiming_options(CLI::App& command, Retiming& retiming, bool has_table, bool takes_many) {

@@ -30,11 +30,12 @@ void add_retiming_inputs(CLI::App& command, std::string& file, Retiming& retimin
                          const Globals& globals);
 
 /// Runs a command on many files.
-/// \param retime  changes the motion of a document
+/// \param retime            changes the motion of a document
+/// \param retime_in_blocks  one that is too large for memory; null: it has to be read whole
 int retime_many(
     const Retiming& retiming,
     const std::function<Result<void>(Document& document, Diagnostics& diagnostics)>& retime,
-    const Globals& globals);
+    const ChangeLong& retime_in_blocks, const Globals& globals);
 
 /// Reads a motion or a body motion; reports the error if there is none.
 std::optional<Document> load_motion(const std::string& path, const Reading& reading,

@@ -186,11 +186,16 @@ struct StatusFile::State {
   }
 };
 
-InputState state_of(const std::string& path, std::string_view bytes) {
+InputState state_of(const CompanionFile& file) {
   std::error_code ignored;
-  const auto now = size_and_time(path);
-  return {std::filesystem::absolute(path, ignored).lexically_normal().string(), bytes.size(),
-          now ? now->second : 0, content_hash(bytes)};
+  const auto now = size_and_time(file.name);
+  InputState state{std::filesystem::absolute(file.name, ignored).lexically_normal().string(),
+                   file.pieces ? file.pieces->size : file.bytes.size(), now ? now->second : 0};
+  const auto hash =
+      file.pieces ? content_hash(*file.pieces) : std::optional(content_hash(file.bytes));
+  state.hash = hash.value_or(0);
+  if (!hash) state.time = 0;
+  return state;
 }
 
 bool is_up_to_date(const OutputRecord& record, const std::string& path, std::uint64_t options,
@@ -213,8 +218,8 @@ bool is_up_to_date(const OutputRecord& record, const std::string& path, std::uin
     return size_and_time(path_now(input)) == std::pair(input.num_bytes, input.time);
   };
   const auto is_same_by_content = [&](const InputState& input) {
-    const auto bytes = FileBytes::open(path_now(input));
-    return bytes && content_hash(bytes->view()) == input.hash;
+    const auto bytes = open_pieces(path_now(input));
+    return bytes && content_hash(*bytes) == input.hash;
   };
   return stand && std::all_of(inputs.begin(), inputs.end(), is_same_by_time) &&
          std::all_of(inputs.begin(), inputs.end(), is_same_by_content);

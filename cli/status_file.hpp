@@ -41,8 +41,8 @@ struct OutputRecord {
   std::vector<OutputState> outputs;
 };
 
-/// The state of a file with this content.
-InputState state_of(const std::string& path, std::string_view bytes);
+/// The state of a file that was opened. One that has changed since is never up to date.
+InputState state_of(const CompanionFile& file);
 
 /// Whether a done record holds: the files that were read and written are as they were.
 /// \param path  the input as it is named now

@@ -21,7 +21,7 @@ int run_on_many(const Warp& warp, const Globals& globals) {
     if (!map) return fail(map.error());
     return retime::apply(document, *map, options_of(warp.retiming), diagnostics);
   };
-  return retime_many(warp.retiming, retime, globals);
+  return retime_many(warp.retiming, retime, {}, globals);
 }
 
 int run(const Warp& warp, const Globals& globals) {

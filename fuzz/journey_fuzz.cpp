@@ -111,8 +111,8 @@ void look_at(const Document& document, const Journey& journey) {
          {.rest = is_still, .frames = "0:1", .tips = true, .rotations = true, .name = "a"});
   if (!table) return;
   std::string json;
-  write_table(*table, *find_format("json"), {}, appending_to(json));
-  require(is_json(json), "fk's JSON is none", json);
+  const auto written = write_table(*table, *find_format("json"), {}, appending_to(json));
+  require(written.has_value() && is_json(json), "fk's JSON is none", json);
 }
 
 /// Writes a document in a format, if it can be, and reads back what was written.

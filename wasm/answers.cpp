@@ -336,10 +336,11 @@ Json write_poses(Held& held, const Slot& slot, const Json& question) {
   table.options.rotations = false;
   table.options.tips = question.value("tips", false);
   std::string text;
-  write_table(table, *format, {}, [&text](std::string_view piece) {
+  const auto written = write_table(table, *format, {}, [&text](std::string_view piece) {
     text += piece;
     return true;
   });
+  if (!written) return failure(written.error(), {});
   std::vector<MemoryFile> files = {{name, std::move(text)}};
   return {{"files", files_of(held, std::move(files))}};
 }

@@ -6,6 +6,7 @@
 #include "kinefile/document.hpp"
 #include "kinefile/flow.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/frame_source.hpp"
 #include "kinefile/joint_map.hpp"
 #include "kinefile/robot.hpp"
 #include "kinefile/shape.hpp"
@@ -23,6 +24,14 @@ namespace kinefile {
 ///         channels or be written in a format of skeletons
 Result<Document> adapted_to(const Format& format, Document document,
                             const shape::ChannelOptions& channels, Diagnostics& diagnostics);
+
+/// The same for a motion whose frames are read when they are asked for; so are the new ones. All
+/// frames are read before, once or twice, where that decides how.
+/// \returns empty if the conversion needs all frames at once: to BVH from another format, from a
+///          format of bones to one without, and of frames with times of their own
+std::optional<Result<LongMotion>> adapted_in_blocks(const Format& format, const LongMotion& motion,
+                                                    const shape::ChannelOptions& channels,
+                                                    Diagnostics& diagnostics);
 
 /// How to convert a motion to a body motion, or vice versa.
 struct KindOptions {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinefile/document.hpp"
+#include "kinefile/frame_source.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
@@ -57,6 +58,10 @@ Motion scale(Motion motion, double factor);
 /// note (EDT009) reports it. From then on the axis is known (`Skeleton::up`). \param axis  1 for y,
 /// 2 for z
 Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics);
+
+/// The same for a motion whose frames are read when they are asked for; so are the new ones.
+/// Precondition: the axis that points up is known (`Skeleton::up`), and another one.
+LongMotion up(const LongMotion& motion, std::size_t axis);
 
 /// The motion in place: the joints that carry it (see `find_travellers`) stay above their start
 /// positions on the ground. Columns along the axis that points up (see `settle_up_axis`) keep every

@@ -36,6 +36,8 @@ struct FkTable {
   FrameRange frames;
   std::vector<std::size_t> joints;  ///< the joints shown, in skeleton order
   double length_scale = 1;          ///< lengths are multiplied by this
+  /// Gives the frames if the clip has none, since they are read when they are asked for.
+  std::optional<FrameSource> source = std::nullopt;
 
   /// The input of the table writers: a view of this table, which must outlive it.
   PoseTable view() const;
@@ -46,23 +48,19 @@ struct FkTable {
 ///         have, a name that no joint has, and metres if the file does not specify its unit
 Result<FkTable> fk(Placed placed, const FkOptions& options);
 
-/// As above, for a motion whose frames are read when they are asked for: the table has none of
-/// them.
+/// As above, for a motion whose frames are read when they are asked for.
 Result<FkTable> fk(const LongMotion& motion, const FkOptions& options);
 
 /// The poses of all joints over some frames of a table's clip: in the world, or in the frame of
-/// each joint's parent (`FkOptions::local`). Lengths are in the file's unit.
+/// each joint's parent (`FkOptions::local`). Lengths are in the file's unit. Precondition: the clip
+/// has the frames.
 PoseArrays poses_of(const FkTable& table, const FrameRange& frames);
 
-/// Writes a table. Poses are computed a block of frames at a time. Returns false if the sink
-/// returned false. Precondition: the format has `write_poses`.
-bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
-                 const Sink& sink);
-
-/// Writes a table of a motion whose frames are read when they are asked for.
-/// \errors those of `FrameSource::rows`; IO003 if the sink returned false
-Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
-                         const WriteOptions& options, const Sink& sink);
+/// Writes a table. Poses are computed a block of frames at a time. Precondition: the format has
+/// `write_poses`.
+/// \errors IO003 if the sink returned false; those of `FrameSource::rows`
+Result<void> write_table(const FkTable& table, const Format& format, const WriteOptions& options,
+                         const Sink& sink);
 
 /// Computes how far kinematics and the recorded poses of links differ, one entry per link.
 /// \errors DOC001 (Usage) if the document is not a body motion; CNV002 (Usage) if there is no

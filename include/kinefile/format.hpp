@@ -31,11 +31,21 @@ enum class TimedRounding {
   Slerp,  ///< no rounding: values are interpolated
 };
 
-/// A file that another file needs.
+/// The bytes of a file that are read piece by piece.
+struct ByteSource {
+  std::size_t size = 0;
+  /// Reads the bytes from a place on, all of which are in the file; false after a fault. May be
+  /// called from several threads at once.
+  std::function<bool(std::size_t offset, std::span<char> bytes)> read = {};
+};
+
+/// A file that another file needs, or that was opened.
 struct CompanionFile {
   std::string name;        ///< its name in diagnostics
   std::string_view bytes;  ///< valid as long as `owner` lives
   std::shared_ptr<const void> owner;
+  /// Of a file whose bytes were not held: `bytes` is empty.
+  std::optional<ByteSource> pieces = std::nullopt;
 };
 
 /// Finds the files that a format needs in addition to the one that is read: on the disk, or in
@@ -76,6 +86,8 @@ struct ReadOptions {
   /// `read_file` and `read_project_file` add every file that they open here: the file itself first,
   /// then its companions and the skeleton, each as often as it is opened. Null: nobody asks.
   std::shared_ptr<std::vector<CompanionFile>> opened = nullptr;
+  /// Whether the bytes of these files are held; else a large one may have `CompanionFile::pieces`.
+  bool holds_opened = true;
   /// For a flow: the robot's project, to convert degrees and to check words and sounds.
   std::shared_ptr<const RobotProject> project = nullptr;
   FormatOptions of_formats = {};  ///< options of single formats: `bvh::ReadOptions`, ...

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "kinefile/array.hpp"
 #include "kinefile/format.hpp"
+#include "kinefile/function_ref.hpp"
 #include "kinefile/robot_project.hpp"
 
 #pragma GCC visibility push(default)
@@ -34,6 +36,10 @@ class FileBytes {
  private:
   std::shared_ptr<const Array<char>> bytes_;
 };
+
+/// The bytes of a regular file, which stays open as long as there are copies; reading them fails as
+/// soon as the file has changed. Empty if it cannot be opened, or is no regular file.
+std::optional<ByteSource> open_pieces(const std::string& path);
 
 /// Finds files in the folder of a file and below it. Names that lead elsewhere find nothing: a file
 /// cannot make its reader open other files.
@@ -156,6 +162,13 @@ struct OutputFiles {
 /// Files on the disk (see `OutputFile`); "-" is standard output.
 OutputFiles files_on_disk(const OutputOptions& options = {});
 
+/// Writes a file. Nothing is committed.
+/// \param print  writes its content to a sink; an error of its own is one of the file if that has
+///               one
+/// \errors those of `files` and of `print`
+Result<void> write_content(const std::string& name, const OutputFiles& files,
+                           FunctionRef<Result<void>(const Sink& sink)> print);
+
 /// A file that was written to memory.
 struct MemoryFile {
   std::string name;
@@ -172,19 +185,18 @@ OutputFiles files_in_memory(const std::shared_ptr<std::vector<MemoryFile>>& file
 Result<void> write(const std::string& name, const Document& document, const Format& format,
                    const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics);
 
+/// The same for a motion, which is written block by block. Precondition: the format has
+/// `write_frames`. \errors also those of the motion's frames
+Result<void> write_in_blocks(const std::string& name, const LongMotion& motion,
+                             const Format& format, const WriteOptions& options,
+                             const OutputFiles& files, Diagnostics& diagnostics);
+
 /// Writes a document to a file, completely or not at all. Also writes the companion with the same
 /// stem if its format has one (the skeleton of an AMC file), but not for standard output.
 /// \errors those of OutputFile and of the format's writer; FMT002 if the format cannot be written
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,
                         const WriteOptions& options, const OutputOptions& output,
                         Diagnostics& diagnostics);
-
-/// Writes a motion to a file, block by block, completely or not at all. Precondition: the format
-/// has `write_frames`. \errors those of OutputFile, of the motion's frames and of the format's
-/// writer
-Result<void> write_long_file(const std::string& path, const LongMotion& motion,
-                             const Format& format, const WriteOptions& options,
-                             const OutputOptions& output, Diagnostics& diagnostics);
 
 }  // namespace kinefile
 

@@ -48,10 +48,14 @@ std::span<const AdaptOption> adapt_options();
 Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
                        WriteOptions& options, Diagnostics& diagnostics);
 
-/// Whether `adapt` leaves every frame of a motion as it is, judged by its skeleton: the conventions
-/// of the format and the options ask for nothing else.
-/// \param motion  a motion without frames
-bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting);
+/// The same for a motion whose frames are read when they are asked for, with the same result and
+/// diagnostics; so are the new frames. A number that becomes too large (CNV011) is an error of
+/// these.
+/// \returns empty if that needs all frames at once, and `diagnostics` says nothing: for a skeleton,
+///          a robot or a form that is asked for, a body motion, and as `adapted_in_blocks`
+std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, const Format& format,
+                                                  const AdaptOptions& adapting,
+                                                  Diagnostics& diagnostics);
 
 /// One job: read a document, change it by operations, write it.
 struct Job {
@@ -62,12 +66,19 @@ struct Job {
   bool strict = false;  ///< warnings are errors
   /// Changes the document before the operations do; null: only they change it.
   std::function<Result<void>(Document& document, Diagnostics& diagnostics)> change = {};
+  /// Changes a motion whose frames are read when they are asked for as `change` changes all of
+  /// them; null: none if `change` is null, otherwise `change` needs all frames.
+  std::function<Result<LongMotion>(LongMotion motion, Diagnostics& diagnostics)> change_in_blocks =
+      {};
   std::vector<Operation> operations = {};
   OperationContext context = {};
   std::string target;          ///< the output's name; its companions are named after it
   const Format* to = nullptr;  ///< null: see `format_of_output`
   AdaptOptions adapting = {};
   WriteOptions writing = {};
+  /// A file whose motion needs more memory is read, changed and written block by block, if its
+  /// format and all steps allow that (see `open_long_motion`, `adapt_in_blocks`). Absent: never.
+  std::optional<double> most_bytes_in_memory = std::nullopt;
 };
 
 /// The result of a job.

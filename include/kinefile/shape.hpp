@@ -6,12 +6,17 @@
 #include <optional>
 #include <string_view>
 
+#include "kinefile/frame_source.hpp"
 #include "kinefile/motion.hpp"
 #include "kinefile/result.hpp"
 
 #pragma GCC visibility push(default)
 
 namespace kinefile::shape {
+
+// Functions that also take a `LongMotion` change its frames when these are asked for, and read all
+// of them before where that decides how: they add the errors of `FrameSource::rows`. Frames are
+// best asked for in their order: the angles of one depend on those before.
 
 /// The axes of three rotations, outermost first: 0 x, 1 y, 2 z. "ZXY" is {2, 0, 1}.
 using RotationOrder = std::array<std::size_t, 3>;
@@ -20,10 +25,12 @@ using RotationOrder = std::array<std::size_t, 3>;
 /// are 1 and shifts 0. A joint that follows another by gain and shift, or that has a following
 /// column (see `following_columns`), gets its values in its own column.
 Motion with_plain_values(const Motion& motion);
+LongMotion with_plain_values(const LongMotion& motion);
 
 /// The same motion with three rotations instead of each ball and each rotation vector; angles are
 /// nearest to the previous frame. Joints that move freely stay.
 Motion with_angles(const Motion& motion, const RotationOrder& order);
+LongMotion with_angles(const LongMotion& motion, const RotationOrder& order);
 
 /// The same motion of a skeleton whose joints have the world's axes in the rest pose: offsets,
 /// axes, tips and shapes are rotated, rest rotations become identity. Values stay the same bit for
@@ -31,6 +38,7 @@ Motion with_angles(const Motion& motion, const RotationOrder& order);
 /// or
 ///         one of its ancestors, has a rest rotation
 Result<Motion> with_world_aligned_rest(const Motion& motion);
+Result<LongMotion> with_world_aligned_rest(const LongMotion& motion);
 
 /// The same motion without translations along bones (ASF `l`): the children of such a joint get the
 /// translation instead, by the same columns.
@@ -59,6 +67,7 @@ Motion without_inner_tips(const Motion& motion);
 /// added, changed or removed. Positions of joints in the world stay the same.
 /// \errors BRG003 (DataLoss) if there are several roots, or joints are scaled, or move freely
 Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics);
+Result<LongMotion> with_bones(const LongMotion& motion, bool lenient, Diagnostics& diagnostics);
 
 /// The same motion without the helper bones that `with_bones` adds: joints below a root whose names
 /// end in `_kf_helper`, without degrees of freedom, columns and rest rotations. Children of a
@@ -126,6 +135,8 @@ bool repeats_an_axis(const Joint& joint);
 ///         EDT002 (Usage) for a joint that moves freely
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics);
+Result<LongMotion> with_channels(const LongMotion& motion, const ChannelOptions& options,
+                                 Diagnostics& diagnostics);
 
 }  // namespace kinefile::shape
 

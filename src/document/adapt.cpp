@@ -6,6 +6,7 @@
 #include "kinefile/operation.hpp"
 #include "kinefile/robot.hpp"
 #include "kinefile/shape.hpp"
+#include "shape/frame_change.hpp"
 
 namespace kinefile {
 namespace {
@@ -52,14 +53,16 @@ Motion with_ends(Motion motion) {
 }
 
 /// Puts a changed motion in the place of the motion, so that no more of them are kept than needed.
-Result<void> put(Result<Motion> changed, Motion& motion) {
+template <class AnyMotion>
+Result<void> put(Result<AnyMotion> changed, AnyMotion& motion) {
   if (!changed) return fail(std::move(changed.error()));
   motion = std::move(*changed);
   return {};
 }
 
 /// Angles rotate with their joints' frames; quaternions cannot.
-Motion with_usual_angles(const Motion& motion) {
+template <class AnyMotion>
+AnyMotion with_usual_angles(const AnyMotion& motion) {
   return shape::with_angles(shape::with_plain_values(motion), kUsualOrder);
 }
 
@@ -78,9 +81,12 @@ Result<Motion> for_bvh(Motion motion, shape::ChannelOptions channels, Diagnostic
   return in_degrees(shape::without_unread_columns(motion));
 }
 
-Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnostics& diagnostics) {
+/// A motion in memory, or one whose frames are read when they are asked for.
+template <class AnyMotion>
+Result<AnyMotion> for_bones(AnyMotion motion, shape::ChannelOptions channels,
+                            Diagnostics& diagnostics) {
   motion = with_usual_angles(motion);
-  const auto& joints = motion.skeleton.joints;
+  const auto& joints = shape::skeleton_in(motion).joints;
   const bool is_turned = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
     return joint.parent != kNoParent && turns_at_rest(joint);
   });
@@ -89,8 +95,9 @@ Result<Motion> for_bones(Motion motion, shape::ChannelOptions channels, Diagnost
     if (!aligned) return fail(std::move(aligned.error()));
   }
   // A bone does not turn twice about the same axis, or move twice along one.
-  const bool has_repeated_axes = std::any_of(motion.skeleton.joints.begin(),
-                                             motion.skeleton.joints.end(), shape::repeats_an_axis);
+  const auto& aligned = shape::skeleton_in(motion).joints;
+  const bool has_repeated_axes =
+      std::any_of(aligned.begin(), aligned.end(), shape::repeats_an_axis);
   if (has_repeated_axes || asks_for_channels(channels)) {
     channels.usual_order = kUsualOrder;
     channels.distinct_axes = true;
@@ -108,6 +115,10 @@ shape::ChannelOptions expected_channels(const Format& format, const Document& do
   channels.usual_positions = shape::PositionChannels::RootAndOwn;
   channels.distinct_axes = !channels.positions && !channels.order;
   return channels;
+}
+
+bool becomes_bvh(const Format& format, const Document& document) {
+  return !format.conventions.turns_at_rest && document.format != format.name;
 }
 
 /// Whether a document is converted from a format with bones to one without.
@@ -131,7 +142,7 @@ Result<Document> adapted_to(const Format& format, Document document,
   if (!steady) return steady;
   document = std::move(*steady);
   const bool is_for_bones = format.conventions.has_one_end;
-  const bool is_for_bvh = !format.conventions.turns_at_rest && document.format != format.name;
+  const bool is_for_bvh = becomes_bvh(format, document);
   if (!is_for_bones && !is_for_bvh && !asks_for_channels(channels)) return document;
   if (!has_skeleton(document)) {
     return fail(wrong_kind(document, "a motion or a skeleton, which have channels"));
@@ -146,6 +157,21 @@ Result<Document> adapted_to(const Format& format, Document document,
   });
   if (!adapted) return fail(std::move(adapted.error()));
   return document;
+}
+
+std::optional<Result<LongMotion>> adapted_in_blocks(const Format& format, const LongMotion& motion,
+                                                    const shape::ChannelOptions& channels,
+                                                    Diagnostics& diagnostics) {
+  const Document& document = motion.document;
+  const bool has_times = has_own_times(std::get<Motion>(document.content).clip.timeline);
+  if (has_times || becomes_bvh(format, document) || leaves_bones(format, document)) {
+    return std::nullopt;
+  }
+  if (!format.conventions.has_one_end && !asks_for_channels(channels)) return motion;
+  if (auto valid = validate(document); !valid) return fail(std::move(valid.error()));
+  const shape::ChannelOptions wanted = expected_channels(format, document, channels);
+  return format.conventions.has_one_end ? for_bones(motion, wanted, diagnostics)
+                                        : shape::with_channels(motion, wanted, diagnostics);
 }
 
 bool are_written_alike(const Format& format, const Document& a, const Document& b) {

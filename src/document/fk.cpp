@@ -113,8 +113,10 @@ Result<FkTable> fk(Placed placed, const FkOptions& options) {
 }
 
 Result<FkTable> fk(const LongMotion& motion, const FkOptions& options) {
-  return make_table(Placed{std::get<Motion>(motion.document.content)}, motion.frames.num_frames,
-                    options);
+  auto table = make_table(Placed{std::get<Motion>(motion.document.content)},
+                          motion.frames.num_frames, options);
+  if (table) table->source = motion.frames;
+  return table;
 }
 
 PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
@@ -130,17 +132,29 @@ PoseArrays poses_of(const FkTable& table, const FrameRange& frames) {
 
 namespace {
 
-/// How many frames of a table to place at a time: of several threads each gets some.
+/// How many frames of a table to place at a time: of several threads each gets some, and a source
+/// gives no more.
 std::size_t frames_at_a_time(const FkTable& table) {
   constexpr std::size_t kBlocksPerThread = 4;
   const std::size_t num_threads = max_threads();
   const std::size_t block = frames_per_block(table.placed.motion.skeleton);
-  return num_threads < 2 ? block : kBlocksPerThread * num_threads * block;
+  const std::size_t most = num_threads < 2 ? block : kBlocksPerThread * num_threads * block;
+  if (!table.source) return most;
+  const std::size_t per_read = frames_per_read(*table.source) / table.frames.step;
+  return std::max<std::size_t>(std::min(most, per_read), 1);
+}
+
+/// The poses of some frames, wherever these are.
+Result<PoseArrays> poses_of_part(const FkTable& table, const FrameRange& part) {
+  if (!table.source) return poses_of(table, part);
+  const auto rows = table.source->rows(part.begin, part.end - part.begin);
+  if (!rows) return fail(rows.error());
+  return poses_of_rows(table, part, *rows);
 }
 
 /// Calls `use` with parts of a table's frames, until it returns false.
-bool for_each_part(const FkTable& table, std::size_t most_frames,
-                   FunctionRef<bool(const FrameRange&)> use) {
+bool for_each_part(const FkTable& table, FunctionRef<bool(const FrameRange&)> use) {
+  const std::size_t most_frames = frames_at_a_time(table);
   const FrameRange& all = table.frames;
   const std::size_t num_frames = all.num_frames();
   for (std::size_t done = 0; done < num_frames; done += most_frames) {
@@ -154,25 +168,14 @@ bool for_each_part(const FkTable& table, std::size_t most_frames,
 
 }  // namespace
 
-bool write_table(const FkTable& table, const Format& format, const WriteOptions& options,
-                 const Sink& sink) {
-  const auto blocks = [&table](UsePoses use) {
-    return for_each_part(table, frames_at_a_time(table),
-                         [&](const FrameRange& part) { return use(poses_of(table, part)); });
-  };
-  return format.write_poses(table.view(), blocks, options, sink);
-}
-
-Result<void> write_table(const FkTable& table, const FrameSource& frames, const Format& format,
-                         const WriteOptions& options, const Sink& sink) {
-  const std::size_t most =
-      std::min(frames_at_a_time(table), frames_per_read(frames) / table.frames.step);
+Result<void> write_table(const FkTable& table, const Format& format, const WriteOptions& options,
+                         const Sink& sink) {
   Result<void> read;
   const auto blocks = [&](UsePoses use) {
-    return for_each_part(table, std::max<std::size_t>(most, 1), [&](const FrameRange& part) {
-      const auto rows = frames.rows(part.begin, part.end - part.begin);
-      if (!rows) read = fail(rows.error());
-      return rows && use(poses_of_rows(table, part, *rows));
+    return for_each_part(table, [&](const FrameRange& part) {
+      const auto poses = poses_of_part(table, part);
+      if (!poses) read = fail(poses.error());
+      return poses && use(*poses);
     });
   };
   const bool is_written = format.write_poses(table.view(), blocks, options, sink);

@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "document/sources.hpp"
+#include "kinefile/edit.hpp"
+#include "kinefile/evidence.hpp"
+#include "kinematics/limbs.hpp"
 
 namespace kinefile {
 namespace {
@@ -77,14 +80,27 @@ bool is_finite(const Document& document) {
          (motion == nullptr || is_finite(motion->clip.values));
 }
 
-}  // namespace
+Error number_too_large() {
+  return make_error(
+      ErrorKind::DataLoss, "CNV011",
+      "a number becomes larger than a double holds, by another unit or another skeleton");
+}
 
-Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
-                       WriteOptions& options, Diagnostics& diagnostics) {
+/// The channels that are asked for, with what the document's file does with positions.
+shape::ChannelOptions channels_for(const Document& document, const AdaptOptions& adapting) {
   shape::ChannelOptions channels = adapting.channels;
   const Format* const from = find_format(document.format);
   const bool knows_positions = from != nullptr && from->adds_positions != nullptr;
   channels.adds_positions = knows_positions && from->adds_positions(document);
+  return channels;
+}
+
+}  // namespace
+
+Result<Document> adapt(Document document, const Format& format, const AdaptOptions& adapting,
+                       WriteOptions& options, Diagnostics& diagnostics) {
+  const shape::ChannelOptions channels = channels_for(document, adapting);
+  const Format* const from = find_format(document.format);
   const bool was_body = std::holds_alternative<BodyMotion>(document.content);
   const bool was_finite = from != &format && is_finite(document);
   auto made = in_wanted_kind(std::move(document), format, adapting, diagnostics);
@@ -95,8 +111,7 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   if (made) made = adapted_to(format, std::move(*made), channels, diagnostics);
   if (!made) return made;
   if (was_finite && !is_finite(*made)) {
-    return fail(ErrorKind::DataLoss, "CNV011",
-                "a number becomes larger than a double holds, by another unit or another skeleton");
+    return fail(number_too_large());
   }
   // The given skeleton is also used for the output if the motion still fits it.
   if (skeleton != nullptr && skeleton->format == format.companion &&
@@ -108,17 +123,169 @@ Result<Document> adapt(Document document, const Format& format, const AdaptOptio
   return made;
 }
 
-bool needs_no_adapting(const Document& motion, const Format& format, const AdaptOptions& adapting) {
-  WriteOptions options;
-  Diagnostics changes;
-  const auto adapted = adapt(motion, format, adapting, options, changes);
-  const bool is_motion = adapted && std::holds_alternative<Motion>(adapted->content);
-  return is_motion && changes.items().empty() &&
-         skeleton_of(*adapted).angle_unit == skeleton_of(motion).angle_unit &&
-         are_written_alike(format, motion, *adapted);
+namespace {
+
+/// The frames that evidence is found in, without the others.
+Result<Document> sampled(const LongMotion& motion) {
+  Document document = motion.document;
+  Clip& clip = std::get<Motion>(document.content).clip;
+  const std::size_t step = step_of_samples(motion.frames.num_frames);
+  for (std::size_t f = 0; f < motion.frames.num_frames; f += step) {
+    const auto row = motion.frames.rows(f, 1);
+    if (!row) return fail(row.error());
+    clip.values.append(*row);
+    ++clip.num_frames;
+  }
+  return document;
 }
 
+/// Whether a motion gets another form than a format's conventions say, which needs all frames.
+bool asks_for_another_kind(const AdaptOptions& adapting) {
+  return adapting.kinds.form || !adapting.skeleton_name.empty() || adapting.robot;
+}
+
+/// As `in_wanted_kind`, by what that makes of the frames that evidence is found in; empty if it
+/// fails or makes no motion.
+std::optional<LongMotion> of_wanted_kind(LongMotion motion, const Format& format,
+                                         const AdaptOptions& adapting, Diagnostics& diagnostics) {
+  if (asks_for_another_kind(adapting)) return std::nullopt;
+  auto sample = sampled(motion);
+  if (!sample) return std::nullopt;
+  const std::size_t up = find_up_axis(std::get<Motion>(sample->content)).axis;
+  const auto found = in_wanted_kind(*std::move(sample), format, adapting, diagnostics);
+  if (!found || !std::holds_alternative<Motion>(found->content)) return std::nullopt;
+  const std::optional<std::size_t> new_up = skeleton_of(*found).up;
+  Skeleton& skeleton = std::get<Motion>(motion.document.content).skeleton;
+  if (new_up) skeleton.up = up;
+  return !new_up || new_up == up ? motion : edit::up(motion, *new_up);
+}
+
+Result<bool> is_finite(const FrameSource& frames) {
+  bool are_finite = true;
+  const auto read = for_each_block(frames, [&](const FrameBlock& block) {
+    are_finite = is_finite(block.rows);
+    return are_finite;
+  });
+  if (!read && are_finite) return fail(read.error());
+  return are_finite;
+}
+
+/// The same frames, unless a number of theirs is not finite though all of the old ones are.
+FrameSource while_finite(FrameSource frames, const LongMotion& old) {
+  frames.rows = [rows = std::move(frames.rows), old](
+                    std::size_t first, std::size_t count) -> Result<std::span<const double>> {
+    auto made = rows(first, count);
+    if (!made || is_finite(*made)) return made;
+    const auto was_finite = is_finite(old.frames);
+    if (!was_finite) return fail(was_finite.error());
+    if (*was_finite) return fail(number_too_large());
+    return rows(first, count);
+  };
+  return frames;
+}
+
+}  // namespace
+
+std::optional<Result<LongMotion>> adapt_in_blocks(const LongMotion& motion, const Format& format,
+                                                  const AdaptOptions& adapting,
+                                                  Diagnostics& diagnostics) {
+  const Format* const from = find_format(motion.document.format);
+  const shape::ChannelOptions channels = channels_for(motion.document, adapting);
+  Diagnostics own;
+  own.warnings_are_errors = diagnostics.warnings_are_errors;
+  const auto of_kind = of_wanted_kind(motion, format, adapting, own);
+  if (!of_kind) return std::nullopt;
+  auto made = adapted_in_blocks(format, *of_kind, channels, own);
+  if (!made) return std::nullopt;
+  if (*made && from != &format && is_finite(skeleton_of(motion.document))) {
+    LongMotion& adapted = **made;
+    if (!is_finite(skeleton_of(adapted.document))) return std::nullopt;
+    adapted.frames = while_finite(std::move(adapted.frames), motion);
+  }
+  diagnostics.append(std::move(own));
+  return made;
+}
+
+namespace {
+
+/// Writes the outputs of a job, and commits them.
+/// \param print  writes them to the files that it is given
+void write_outputs(const OutputFiles& files,
+                   FunctionRef<Result<void>(const OutputFiles& files)> print, Report& report) {
+  OutputFiles told = files;
+  std::vector<std::string> names;
+  told.open = [&files, &names](const std::string& name) {
+    names.push_back(name);
+    return files.open(name);
+  };
+  auto written = print(told);
+  if (written) written = files.commit();
+  if (written) {
+    report.files = std::move(names);
+  } else {
+    report.error = std::move(written.error());
+  }
+}
+
+const Format* output_format(const Job& job, const Document& document) {
+  if (job.to != nullptr) return job.to;
+  return format_of_output(job.target, job.source, find_format(document.format));
+}
+
+bool may_be_in_blocks(const Job& job) {
+  return job.most_bytes_in_memory && !job.bytes && job.operations.empty() &&
+         (!job.change || job.change_in_blocks);
+}
+
+/// The motion of a job as it is written; empty if some step needs all frames at once.
+std::optional<Result<LongMotion>> made_in_blocks(const Job& job, LongMotion motion,
+                                                 const Format& format, Diagnostics& diagnostics) {
+  if (job.change_in_blocks) {
+    auto changed = job.change_in_blocks(std::move(motion), diagnostics);
+    if (!changed) return changed;
+    motion = *std::move(changed);
+  }
+  return adapt_in_blocks(motion, format, job.adapting, diagnostics);
+}
+
+/// Runs a job block by block; empty if that is not possible, and nothing is done.
+std::optional<Report> process_in_blocks(const Job& job, const OutputFiles& files) {
+  if (!may_be_in_blocks(job)) return std::nullopt;
+  Report report;
+  report.diagnostics.warnings_are_errors = job.strict;
+  ReadOptions reading = job.reading;
+  if (reading.opened) reading.opened = std::make_shared<std::vector<CompanionFile>>();
+  auto motion = open_long_motion(job.source, job.from, *job.most_bytes_in_memory, reading,
+                                 report.diagnostics);
+  if (!motion) return std::nullopt;
+  const Format* const format = output_format(job, motion->document);
+  if (format == nullptr || format->write_frames == nullptr) return std::nullopt;
+  const auto made = made_in_blocks(job, *std::move(motion), *format, report.diagnostics);
+  if (!made) return std::nullopt;
+  if (reading.opened) {
+    job.reading.opened->insert(job.reading.opened->end(), reading.opened->begin(),
+                               reading.opened->end());
+  }
+  if (!*made) {
+    report.error = made->error();
+    return report;
+  }
+  const LongMotion& adapted = **made;
+  report.kind = kind_name(adapted.document);
+  write_outputs(
+      files,
+      [&](const OutputFiles& told) {
+        return write_in_blocks(job.target, adapted, *format, job.writing, told, report.diagnostics);
+      },
+      report);
+  if (!report.error) report.num_frames = adapted.frames.num_frames;
+  return report;
+}
+
+}  // namespace
+
 Report process(const Job& job, const OutputFiles& files) {
+  if (auto report = process_in_blocks(job, files)) return *std::move(report);
   Report report;
   report.diagnostics.warnings_are_errors = job.strict;
   const auto ended = [&report](const Error& error) {
@@ -130,9 +297,7 @@ Report process(const Job& job, const OutputFiles& files) {
                 : read_file(job.source, job.from, job.reading, report.diagnostics);
   if (!document) return ended(document.error());
   report.kind = kind_name(*document);
-  const Format* format =
-      job.to != nullptr ? job.to
-                        : format_of_output(job.target, job.source, find_format(document->format));
+  const Format* const format = output_format(job, *document);
   if (format == nullptr) {
     return ended(make_error(ErrorKind::Usage, "CLI001",
                             fmt::format("'{}' shows no format by its name", job.target)));
@@ -143,19 +308,14 @@ Report process(const Job& job, const OutputFiles& files) {
   WriteOptions options = job.writing;
   auto adapted = adapt(std::move(*document), *format, job.adapting, options, report.diagnostics);
   if (!adapted) return ended(adapted.error());
-  OutputFiles told = files;
-  std::vector<std::string> names;
-  told.open = [&files, &names](const std::string& name) {
-    names.push_back(name);
-    return files.open(name);
-  };
-  auto written = write(job.target, *adapted, *format, options, told, report.diagnostics);
-  if (written) written = files.commit();
-  if (!written) return ended(written.error());
-  if (const Motion* motion = std::get_if<Motion>(&adapted->content)) {
-    report.num_frames = motion->clip.num_frames;
-  }
-  report.files = std::move(names);
+  write_outputs(
+      files,
+      [&](const OutputFiles& told) {
+        return write(job.target, *adapted, *format, options, told, report.diagnostics);
+      },
+      report);
+  const Motion* const motion = std::get_if<Motion>(&adapted->content);
+  if (!report.error && motion != nullptr) report.num_frames = motion->clip.num_frames;
   return report;
 }
 

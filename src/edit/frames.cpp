@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "edit/travel.hpp"
@@ -236,6 +237,26 @@ Motion up(Motion motion, std::size_t axis, Diagnostics& diagnostics) {
   }
   rename_channels(before, motion.skeleton);
   return motion;
+}
+
+LongMotion up(const LongMotion& motion, std::size_t axis) {
+  LongMotion result = motion;
+  const Motion& old = std::get<Motion>(motion.document.content);
+  Diagnostics ignored;  // the axis is known
+  result.document.content = up(old, axis, ignored);
+  // Each frame is turned by itself.
+  const auto block = std::make_shared<Motion>();
+  result.frames.rows = [block, skeleton = old.skeleton, frames = motion.frames, axis](
+                           std::size_t first,
+                           std::size_t count) -> Result<std::span<const double>> {
+    const auto rows = frames.rows(first, count);
+    if (!rows) return fail(rows.error());
+    const Clip clip{count, frames.num_coordinates, Array<double>::adopt(*rows, nullptr), {}};
+    Diagnostics told_before;
+    *block = up({skeleton, clip}, axis, told_before);
+    return std::span<const double>(block->clip.values);
+  };
+  return result;
 }
 
 Motion in_place(Motion motion, Diagnostics& diagnostics) {

@@ -50,8 +50,8 @@ std::optional<FixedPlace> fixed_place(const Joint& joint, const Clip& clip, doub
   const std::vector<Translation> translations = translations_of(joint);
   for (const auto& [axis, dof] : translations) {
     const double gain = std::abs(dof.gain);
-    const auto settled =
-        settled_number(clip, dof.coordinate, dof.rest, gain > 0 ? noise / gain : noise);
+    const auto settled = settled_number(range_of_column(clip, dof.coordinate), dof.rest,
+                                        gain > 0 ? noise / gain : noise);
     if (!settled) return std::nullopt;
     row[dof.coordinate] = settled->number;
     fixed.noise = std::max(fixed.noise, gain * settled->loss);

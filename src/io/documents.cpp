@@ -25,26 +25,12 @@ std::string names_of_formats(bool (*is_wanted)(const Format&)) {
   return names;
 }
 
-using OpenedFiles = std::shared_ptr<std::vector<CompanionFile>>;
-
 /// Opens a file, and adds it to those that were opened.
 Result<FileBytes> open_recorded(const std::string& path, const std::string& source_name,
                                 const OpenedFiles& opened) {
   auto bytes = FileBytes::open(path);
   if (bytes && opened) opened->push_back({source_name, bytes->view(), bytes->owner()});
   return bytes;
-}
-
-/// The same files; each one that is found is added to those that were opened.
-Resolver recording(Resolver inner, const OpenedFiles& opened) {
-  if (!opened || !inner.open) return inner;
-  Resolver recorder = inner;
-  recorder.open = [open = std::move(inner.open), opened](const std::string& name) {
-    auto found = open(name);
-    if (found) opened->push_back(*found);
-    return found;
-  };
-  return recorder;
 }
 
 /// OUT.asf for OUT.amc.
@@ -84,16 +70,25 @@ Result<void> with_fault(Result<void> written, const OutputFiles& files) {
   return fault ? written : fault;
 }
 
-/// Writes a document that is one file.
-Result<void> write_one(const std::string& name, const Document& document, const Format& format,
-                       const WriteOptions& options, const OutputFiles& files,
-                       Diagnostics& diagnostics) {
+}  // namespace
+
+Result<void> write_content(const std::string& name, const OutputFiles& files,
+                           FunctionRef<Result<void>(const Sink& sink)> print) {
   const auto sink = files.open(name);
   if (!sink) return fail(sink.error());
-  return with_fault(format.write(document, options, *sink, diagnostics), files);
+  return with_fault(print(*sink), files);
 }
 
-}  // namespace
+Resolver recording(Resolver inner, const OpenedFiles& opened) {
+  if (!opened || !inner.open) return inner;
+  Resolver recorder = inner;
+  recorder.open = [open = std::move(inner.open), opened](const std::string& name) {
+    auto found = open(name);
+    if (found) opened->push_back(*found);
+    return found;
+  };
+  return recorder;
+}
 
 Result<void> read_named_skeleton(const Format* format, ReadOptions& options,
                                  Diagnostics& diagnostics) {
@@ -215,8 +210,30 @@ Result<void> write_companion(const std::string& path, const Document& document,
   }
   Document companion = document;
   if (has_skeleton(document)) companion.content = skeleton_of(document);
-  auto written = write_one(name, companion, other, options, files, diagnostics);
+  auto written = write_content(name, files, [&](const Sink& sink) {
+    return other.write(companion, options, sink, diagnostics);
+  });
   options.companion = name.substr(name.find_last_of('/') + 1);
+  return written;
+}
+
+/// Writes a document that is one file, and its companion.
+/// \param print  writes the file's content, by options that name the companion
+Result<void> write_with_companion(
+    const std::string& name, const Document& document, const Format& format,
+    const WriteOptions& options, const OutputFiles& files, Diagnostics& diagnostics,
+    FunctionRef<Result<void>(const WriteOptions& options, const Sink& sink)> print) {
+  WriteOptions with_companion = options;
+  if (!format.companion.empty() && options.writes_companion) {
+    auto written = write_companion(name, document, format, with_companion, files, diagnostics);
+    if (!written) return written;
+  }
+  return write_content(name, files, [&](const Sink& sink) { return print(with_companion, sink); });
+}
+
+/// With --strict a warning of a writer is an error, and the file is not created.
+Result<void> unless_strict(Result<void> written, const Diagnostics& diagnostics) {
+  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
   return written;
 }
 
@@ -241,30 +258,27 @@ Result<void> write(const std::string& name, const Document& document, const Form
     return fail(ErrorKind::Usage, "FMT002",
                 std::string(format.name) + reason + "; what is written: " + writable);
   }
-  WriteOptions with_companion = options;
-  Result<void> written;
   if (format.write_set != nullptr) {
-    written = write_set(name, document, format, options, files, diagnostics);
-  } else {
-    if (!format.companion.empty() && options.writes_companion) {
-      written = write_companion(name, document, format, with_companion, files, diagnostics);
-    }
-    if (written) written = write_one(name, document, format, with_companion, files, diagnostics);
+    return unless_strict(write_set(name, document, format, options, files, diagnostics),
+                         diagnostics);
   }
-  // With --strict a warning of a writer is an error, and the file is not created.
-  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
-  return written;
+  const auto print = [&](const WriteOptions& with_companion, const Sink& sink) {
+    return format.write(document, with_companion, sink, diagnostics);
+  };
+  return unless_strict(
+      write_with_companion(name, document, format, options, files, diagnostics, print),
+      diagnostics);
 }
 
-Result<void> write_long_file(const std::string& path, const LongMotion& motion,
+Result<void> write_in_blocks(const std::string& name, const LongMotion& motion,
                              const Format& format, const WriteOptions& options,
-                             const OutputOptions& output, Diagnostics& diagnostics) {
-  const OutputFiles files = files_on_disk(output);
-  const auto sink = files.open(path);
-  if (!sink) return fail(sink.error());
-  auto written = with_fault(format.write_frames(motion, options, *sink, diagnostics), files);
-  if (written && diagnostics.has_errors()) return fail(diagnostics.first_error());
-  return written ? files.commit() : written;
+                             const OutputFiles& files, Diagnostics& diagnostics) {
+  const auto print = [&](const WriteOptions& with_companion, const Sink& sink) {
+    return format.write_frames(motion, with_companion, sink, diagnostics);
+  };
+  return unless_strict(
+      write_with_companion(name, motion.document, format, options, files, diagnostics, print),
+      diagnostics);
 }
 
 Result<void> write_file(const std::string& path, const Document& document, const Format& format,

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "kinefile/format.hpp"
 
 namespace kinefile {
+
+using OpenedFiles = std::shared_ptr<std::vector<CompanionFile>>;
+
+/// The same files; each one that is found is added to those that were opened.
+/// \param opened  null: nobody asks
+Resolver recording(Resolver inner, const OpenedFiles& opened);
 
 /// Reads the skeleton that the caller named, if motions of the format take one and it is not there
 /// yet.

@@ -22,12 +22,31 @@ struct LargeFile {
 std::shared_ptr<const LargeFile> open_large_file(const std::string& path, const Format* format,
                                                  const ReadOptions& options) {
   constexpr std::size_t kLarge = std::size_t{1} << 20;
-  if (path == "-" || options.opened != nullptr || !options.model_root.empty()) return nullptr;
+  const bool is_held = options.opened != nullptr && options.holds_opened;
+  if (path == "-" || is_held || !options.model_root.empty()) return nullptr;
   auto pieces = FilePieces::open(path, kLarge);
   if (!pieces) return nullptr;
   if (format == nullptr) format = detect_format(pieces->head(kHeadBytes), path);
   if (format == nullptr) return nullptr;
   return std::make_shared<const LargeFile>(LargeFile{*std::move(pieces), format});
+}
+
+/// The bytes of a file as long as it is what it was, and the file with them.
+ByteSource bytes_of(std::shared_ptr<const FilePieces> file) {
+  ByteSource bytes = file->source();
+  bytes.read = [read = std::move(bytes.read), file = std::move(file)](std::size_t offset,
+                                                                      std::span<char> out) {
+    return read(offset, out) && file->is_unchanged();
+  };
+  return bytes;
+}
+
+/// Adds a file to those that were opened.
+void record(const std::string& path, const std::shared_ptr<const LargeFile>& file,
+            const OpenedFiles& opened) {
+  if (opened == nullptr) return;
+  const std::shared_ptr<const FilePieces> pieces(file, &file->pieces);
+  opened->push_back({path, {}, nullptr, bytes_of(pieces)});
 }
 
 /// The same frames, as long as the file is what it was.
@@ -47,6 +66,12 @@ FrameSource while_unchanged(FrameSource frames, std::shared_ptr<const LargeFile>
 
 }  // namespace
 
+std::optional<ByteSource> open_pieces(const std::string& path) {
+  auto pieces = FilePieces::open(path, 0);
+  if (!pieces) return std::nullopt;
+  return bytes_of(std::make_shared<const FilePieces>(*std::move(pieces)));
+}
+
 std::optional<Result<Document>> read_large_file(const std::string& path, const Format* format,
                                                 ReadOptions options, Diagnostics& diagnostics) {
   const auto file = open_large_file(path, format, options);
@@ -54,11 +79,16 @@ std::optional<Result<Document>> read_large_file(const std::string& path, const F
   options.source_name = path;
   Diagnostics own;
   own.warnings_are_errors = diagnostics.warnings_are_errors;
-  options.companions = files_beside(path, {}, &own);
+  const OpenedFiles opened = options.opened;
+  // The others count only if the file is read here.
+  if (opened) options.opened = std::make_shared<std::vector<CompanionFile>>();
+  options.companions = recording(files_beside(path, {}, &own), options.opened);
   if (!read_named_skeleton(file->format, options, own)) return std::nullopt;
   auto document = file->format->read_pieces(file->pieces.source(), options, own);
   if (!document || !file->pieces.is_unchanged()) return std::nullopt;
   diagnostics.append(std::move(own));
+  record(path, file, opened);
+  if (opened) opened->insert(opened->end(), options.opened->begin(), options.opened->end());
   return document;
 }
 
@@ -74,6 +104,7 @@ std::optional<LongMotion> open_long_motion(const std::string& path, const Format
       file->format->open_frames(file->pieces.source(), most_bytes_in_memory, options, own);
   if (!motion || !file->pieces.is_unchanged()) return std::nullopt;
   diagnostics.append(std::move(own));
+  record(path, file, options.opened);
   motion->frames = while_unchanged(std::move(motion->frames), file, path);
   return motion;
 }

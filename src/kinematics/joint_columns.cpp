@@ -148,23 +148,15 @@ double noise_of_place(const Joint& joint, double skeleton_size) {
   return kNoise * std::max(rest_offset(joint).norm(), kShortest * skeleton_size);
 }
 
-std::optional<SettledNumber> settled_number(const Clip& clip, std::size_t column, double rest,
-                                            double noise) {
-  if (clip.num_frames == 0) return SettledNumber{rest, 0};
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const double number = clip.row(f)[column];
-    if (!std::isfinite(number)) return std::nullopt;
-    least = std::min(least, number);
-    greatest = std::max(greatest, number);
-  }
-  if (is_always(clip, column, clip.row(0)[column])) return SettledNumber{clip.row(0)[column], 0};
-  const double from_rest = std::max(greatest - rest, rest - least);
+std::optional<SettledNumber> settled_number(const ColumnRange& range, double rest, double noise) {
+  if (range.num_frames == 0) return SettledNumber{rest, 0};
+  if (!range.is_finite) return std::nullopt;
+  if (range.is_constant) return SettledNumber{range.first, 0};
+  const double from_rest = std::max(range.greatest - rest, rest - range.least);
   if (from_rest <= noise) return SettledNumber{rest, from_rest};
-  if (!(greatest - least <= noise)) return std::nullopt;
-  const double middle = least + 0.5 * (greatest - least);
-  return SettledNumber{middle, std::max(greatest - middle, middle - least)};
+  if (!(range.greatest - range.least <= noise)) return std::nullopt;
+  const double middle = range.least + 0.5 * (range.greatest - range.least);
+  return SettledNumber{middle, std::max(range.greatest - middle, middle - range.least)};
 }
 
 Vec3 position_in_row(const Vec3& offset, const std::vector<Translation>& translations,

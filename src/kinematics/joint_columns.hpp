@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinefile/motion.hpp"
+#include "kinematics/column_range.hpp"
 
 namespace kinefile {
 
@@ -66,8 +67,7 @@ struct SettledNumber {
 /// The number of a column that stays but for noise: its only one, or the rest value if all are as
 /// near to that as noise, otherwise the middle if all are as near to each other. Nothing if the
 /// column changes more.
-std::optional<SettledNumber> settled_number(const Clip& clip, std::size_t column, double rest,
-                                            double noise);
+std::optional<SettledNumber> settled_number(const ColumnRange& range, double rest, double noise);
 
 /// The position of a point after translations, for a joint's origin in its parent's frame.
 /// \param offset  the position without translations

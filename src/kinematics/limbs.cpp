@@ -121,12 +121,21 @@ std::optional<bool> stands_at_rest(const Skeleton& skeleton, std::size_t up) {
   return sum[static_cast<Eigen::Index>(up)] > kDown * static_cast<double>(legs.size());
 }
 
+namespace {
+
+constexpr std::size_t kMostFrames = 64;
+
+}  // namespace
+
+std::size_t step_of_samples(std::size_t num_frames) {
+  return (num_frames + kMostFrames - 1) / kMostFrames;
+}
+
 WorldPoses sampled_poses(const Motion& motion) {
-  constexpr std::size_t kMostFrames = 64;
   const Clip rest = rest_clip(motion.skeleton);
   const Clip& clip = motion.clip.num_frames > 0 ? motion.clip : rest;
   KinematicsOptions options;
-  options.frame_step = (clip.num_frames + kMostFrames - 1) / kMostFrames;
+  options.frame_step = step_of_samples(clip.num_frames);
   options.num_frames = kMostFrames;
   options.tips = true;
   return forward_kinematics(motion.skeleton, clip, options);

@@ -42,6 +42,9 @@ Vec3 direction_of(const Leg& leg, const PoseArrays& poses, std::size_t row);
 /// Whether a name is that of a foot or a part of it.
 bool is_called_foot(const std::string& name);
 
+/// Evidence of a motion is that of every so many frames, from the first on: 64 at the most.
+std::size_t step_of_samples(std::size_t num_frames);
+
 /// At most 64 frames of a motion, placed in the world with tips; the rest pose if it has no frames.
 WorldPoses sampled_poses(const Motion& motion);
 

@@ -8,6 +8,8 @@
 
 #include "base/words.hpp"
 #include "kinefile/shape.hpp"
+#include "kinematics/column_range.hpp"
+#include "shape/frame_change.hpp"
 #include "shape/helper_bones.hpp"
 
 namespace kinefile::shape {
@@ -26,9 +28,11 @@ struct NewColumn {
 };
 
 struct Builder {
-  const Motion& motion;
+  const Skeleton& old;
+  bool has_frames;
+  const ColumnRanges& ranges;  ///< of the columns in `deciding_columns`
   Diagnostics& diagnostics;
-  Motion result = {};
+  Skeleton skeleton = {};
   std::vector<NewColumn> columns = {};
   std::set<std::string> names = {"root"};               ///< in lower case
   std::set<std::string> names_of_joints = {};           ///< in lower case; helpers must not have
@@ -41,7 +45,7 @@ struct Builder {
   std::vector<std::string> without_positions = {};  ///< and those whose translations never change
   std::vector<std::string> with_rest_values = {};   ///< joints with rest values other than 0
 
-  std::vector<Joint>& joints() { return result.skeleton.joints; }
+  std::vector<Joint>& joints() { return skeleton.joints; }
 };
 
 std::string unique_name(Builder& builder, const std::string& wanted) {
@@ -84,7 +88,7 @@ enum class Dofs { All, OfTail, AllButTail };
 /// Adds degrees of freedom of an old joint to a new one, with rest values of 0.
 void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bool is_root,
               Dofs which = Dofs::All) {
-  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const Joint& old = builder.old.joints[old_index];
   bool has_moved = false;
   bool has_rested = false;
   bool loses_rest = false;
@@ -92,9 +96,9 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
     const bool is_of_tail = dof.kind == DofKind::TailTranslation;
     if (which == (is_of_tail ? Dofs::AllButTail : Dofs::OfTail)) continue;
     NewColumn column{dof.coordinate, 0};
-    const std::string channel = builder.motion.skeleton.coordinates[dof.coordinate].channel;
+    const std::string channel = builder.old.coordinates[dof.coordinate].channel;
     if (dof.kind == DofKind::Translation && !is_root) {
-      const bool rests = is_always(builder.motion.clip, dof.coordinate, dof.rest);
+      const bool rests = is_always(builder.ranges.at(dof.coordinate), dof.rest);
       has_moved |= !rests;
       has_rested |= rests;
       if (rests) continue;
@@ -107,7 +111,7 @@ void add_dofs(Builder& builder, std::size_t old_index, std::size_t new_index, bo
     dof.rest = 0;
     dof.coordinate = builder.columns.size();
     builder.columns.push_back(column);
-    builder.result.skeleton.coordinates.push_back({new_index, channel});
+    builder.skeleton.coordinates.push_back({new_index, channel});
     builder.joints()[new_index].dofs.push_back(dof);
   }
   if (loses_rest) builder.with_rest_values.push_back(old.name);
@@ -157,7 +161,7 @@ std::size_t holder_of_child(Builder& builder, const Joint& child) {
 
 /// Adds the bone that keeps the root's old name: a helper, unless it translates its tail.
 std::size_t add_named_bone(Builder& builder, std::size_t old_index, const Vec3& end) {
-  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const Joint& old = builder.old.joints[old_index];
   const bool has_tail = std::any_of(old.dofs.begin(), old.dofs.end(), [](const auto& dof) {
     return dof.kind == DofKind::TailTranslation;
   });
@@ -174,11 +178,11 @@ std::size_t add_named_bone(Builder& builder, std::size_t old_index, const Vec3& 
 
 /// Adds the root, and a bone of its old name if it had another one.
 void add_root(Builder& builder, std::size_t old_index, const std::vector<std::size_t>& children) {
-  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const Joint& old = builder.old.joints[old_index];
   Joint root;
   root.name = "root";
   // Coordinates rest at 0 from now on: without translations, the offset gives the rest pose.
-  const bool has_frames = builder.motion.clip.num_frames > 0;
+  const bool has_frames = builder.has_frames;
   root.offset = has_frames ? old.offset : rest_offset(old);
   root.rest_rotation = old.rest_rotation;
   const bool keeps_name = lowered(old.name) == "root";
@@ -196,17 +200,16 @@ void add_root(Builder& builder, std::size_t old_index, const std::vector<std::si
   if (keeps_name) {
     if (old.name != "root") builder.renamed.push_back(old.name + "' to 'root");
   } else {
-    end = end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
+    end = end_of_bone(old, common_place(builder.old, children), !children.empty());
     builder.new_of_old.back() = add_named_bone(builder, old_index, end);
   }
   add_tips(builder, old, builder.new_of_old.back(), end);
 }
 
 void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::size_t>& children) {
-  const Joint& old = builder.motion.skeleton.joints[old_index];
+  const Joint& old = builder.old.joints[old_index];
   const std::size_t holder = holder_of_child(builder, old);
-  const Vec3 end =
-      end_of_bone(old, common_place(builder.motion.skeleton, children), !children.empty());
+  const Vec3 end = end_of_bone(old, common_place(builder.old, children), !children.empty());
   const std::string name = unique_name(builder, as_bone_name(old.name));
   if (name != old.name) builder.renamed.push_back(old.name + "' to '" + name);
   const std::size_t index = add_joint(builder, name, holder, end);
@@ -217,10 +220,10 @@ void add_bone(Builder& builder, std::size_t old_index, const std::vector<std::si
   add_tips(builder, old, index, end);
 }
 
-/// The reason why a motion cannot have bones.
-std::optional<Error> obstacle_of(const Motion& motion) {
+/// The reason why a skeleton cannot have bones.
+std::optional<Error> obstacle_of(const Skeleton& skeleton) {
   std::size_t num_roots = 0;
-  for (const Joint& joint : motion.skeleton.joints) {
+  for (const Joint& joint : skeleton.joints) {
     num_roots += joint.parent == kNoParent ? 1 : 0;
     for (const DegreeOfFreedom& dof : joint.dofs) {
       if (dof.kind == DofKind::Free) {
@@ -234,15 +237,29 @@ std::optional<Error> obstacle_of(const Motion& motion) {
 }
 
 /// The first joint that is scaled in the motion, or at rest where there are no frames.
-std::optional<std::string> scaled_joint(const Motion& motion) {
-  for (const Joint& joint : motion.skeleton.joints) {
+std::optional<std::string> scaled_joint(const Builder& builder) {
+  for (const Joint& joint : builder.old.joints) {
     for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind != DofKind::TailScale) continue;
       const bool is_scaled =
-          motion.clip.num_frames > 0 ? !is_always(motion.clip, dof.coordinate, 1) : dof.rest != 1;
-      if (dof.kind == DofKind::TailScale && is_scaled) return joint.name;
+          builder.has_frames ? !is_always(builder.ranges.at(dof.coordinate), 1) : dof.rest != 1;
+      if (is_scaled) return joint.name;
     }
   }
   return std::nullopt;
+}
+
+/// The columns whose numbers decide which bones there are: positions below the root that never
+/// change are left out, and nothing may be scaled.
+std::vector<std::size_t> deciding_columns(const Skeleton& skeleton) {
+  std::vector<std::size_t> columns;
+  for (const Joint& joint : skeleton.joints) {
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      const bool is_position = dof.kind == DofKind::Translation && joint.parent != kNoParent;
+      if (is_position || dof.kind == DofKind::TailScale) columns.push_back(dof.coordinate);
+    }
+  }
+  return columns;
 }
 
 /// Whether a joint below the root has a rest rotation. Bones have none; only their axes are
@@ -272,27 +289,19 @@ bool is_of_bones(const Skeleton& skeleton) {
   return !skeleton.joints.empty();
 }
 
-void fill_values(Builder& builder) {
-  const Clip& old = builder.motion.clip;
-  Clip& clip = builder.result.clip;
-  clip.timeline = old.timeline;
-  clip.num_frames = old.num_frames;
-  clip.num_coordinates = builder.columns.size();
-  clip.values.resize(clip.num_frames * clip.num_coordinates);
-  const Rows rows = clip.mutate();
+void fill_values(const Clip& clip, const std::vector<NewColumn>& columns, const Rows& rows) {
   for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    for (std::size_t c = 0; c < builder.columns.size(); ++c) {
-      const NewColumn& column = builder.columns[c];
-      const double value = old.row(f)[column.old_column];
-      rows[f][c] = column.minus == 0 ? value : value - column.minus;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const double value = clip.row(f)[columns[c].old_column];
+      rows[f][c] = columns[c].minus == 0 ? value : value - columns[c].minus;
     }
   }
 }
 
 /// Bones cannot keep columns that no degree of freedom reads.
 void report_unread(Builder& builder) {
-  const std::vector<std::size_t> readers = num_readers_of_columns(builder.motion.skeleton);
-  const std::vector<std::string> names = column_names(builder.motion.skeleton);
+  const std::vector<std::size_t> readers = num_readers_of_columns(builder.old);
+  const std::vector<std::string> names = column_names(builder.old);
   for (std::size_t c = 0; c < readers.size(); ++c) {
     if (readers[c] > 0) continue;
     builder.diagnostics.add(Severity::Warning, kNoteCode,
@@ -317,10 +326,6 @@ void report_changes(Builder& builder) {
        "positions of joints other than the root are written as tx ty tz, which few programs read");
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether some values have a gain or a shift, or some rotations are not angles.
 bool has_other_values(const Skeleton& skeleton) {
   const bool has_any =
@@ -332,47 +337,79 @@ bool has_other_values(const Skeleton& skeleton) {
   return has_any || !following_columns(skeleton).empty();
 }
 
-}  // namespace
+/// Tells that a scale is lost.
+/// \errors BRG003 (DataLoss) unless `lenient`
+Result<void> leave_out_scale(const Builder& builder, bool lenient) {
+  const auto scaled = scaled_joint(builder);
+  if (!scaled) return {};
+  Error error = not_bones(fmt::format("bones cannot be scaled as '{}' is", *scaled));
+  if (!lenient) return fail(std::move(error));
+  error.severity = Severity::Warning;
+  error.message += "; its scale is left out";
+  builder.diagnostics.add(std::move(error));
+  return {};
+}
 
-Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics) {
-  if (auto obstacle = obstacle_of(motion)) return fail(std::move(*obstacle));
-  if (has_other_values(motion.skeleton)) {
-    constexpr RotationOrder kUsualOrder = {2, 1, 0};
-    return with_bones(with_angles(with_plain_values(motion), kUsualOrder), lenient, diagnostics);
-  }
-  if (is_turned_below_root(motion.skeleton)) {
-    const auto aligned = with_world_aligned_rest(motion);
-    if (!aligned) return fail(aligned.error());
-    return with_bones(*aligned, lenient, diagnostics);
-  }
-  if (is_of_bones(motion.skeleton)) return motion;
-  if (const auto scaled = scaled_joint(motion)) {
-    Error error = not_bones(fmt::format("bones cannot be scaled as '{}' is", *scaled));
-    if (!lenient) return fail(std::move(error));
-    error.severity = Severity::Warning;
-    error.message += "; its scale is left out";
-    diagnostics.add(std::move(error));
-  }
-  Builder builder{motion, diagnostics};
-  builder.result.skeleton.name = motion.skeleton.name;
-  builder.result.skeleton.angle_unit = motion.skeleton.angle_unit;
-  builder.result.skeleton.metres_per_unit = motion.skeleton.metres_per_unit;
-  builder.result.skeleton.up = motion.skeleton.up;
-  for (const Joint& joint : motion.skeleton.joints) {
+/// Makes the bones of a skeleton without gains, shifts and rest rotations.
+/// \param ranges  of the columns in `deciding_columns`
+Result<FrameChange> bones_of(const Skeleton& old, bool has_frames, const ColumnRanges& ranges,
+                             bool lenient, Diagnostics& diagnostics) {
+  Builder builder{old, has_frames, ranges, diagnostics};
+  if (auto left = leave_out_scale(builder, lenient); !left) return fail(std::move(left.error()));
+  builder.skeleton.name = old.name;
+  builder.skeleton.angle_unit = old.angle_unit;
+  builder.skeleton.metres_per_unit = old.metres_per_unit;
+  builder.skeleton.up = old.up;
+  for (const Joint& joint : old.joints) {
     builder.names_of_joints.insert(lowered(as_bone_name(joint.name)));
   }
-  const auto children = children_of_joints(motion.skeleton);
-  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    if (motion.skeleton.joints[j].parent == kNoParent) {
+  const auto children = children_of_joints(old);
+  for (std::size_t j = 0; j < old.joints.size(); ++j) {
+    if (old.joints[j].parent == kNoParent) {
       add_root(builder, j, children[j]);
     } else {
       add_bone(builder, j, children[j]);
     }
   }
-  fill_values(builder);
   report_unread(builder);
   report_changes(builder);
-  return std::move(builder.result);
+  return FrameChange{std::move(builder.skeleton),
+                     [columns = std::move(builder.columns)](const Clip& next, const Rows& rows) {
+                       fill_values(next, columns, rows);
+                     }};
+}
+
+template <class AnyMotion>
+Result<AnyMotion> any_with_bones(const AnyMotion& motion, bool lenient, Diagnostics& diagnostics) {
+  const Skeleton& skeleton = skeleton_in(motion);
+  if (auto obstacle = obstacle_of(skeleton)) return fail(std::move(*obstacle));
+  if (has_other_values(skeleton)) {
+    constexpr RotationOrder kUsualOrder = {2, 1, 0};
+    return any_with_bones(with_angles(with_plain_values(motion), kUsualOrder), lenient,
+                          diagnostics);
+  }
+  if (is_turned_below_root(skeleton)) {
+    const auto aligned = with_world_aligned_rest(motion);
+    if (!aligned) return fail(aligned.error());
+    return any_with_bones(*aligned, lenient, diagnostics);
+  }
+  if (is_of_bones(skeleton)) return motion;
+  const auto ranges =
+      ranges_of_columns([&motion](UseBlock use) { return for_each_block_of(motion, use); },
+                        skeleton.coordinates.size(), deciding_columns(skeleton));
+  if (!ranges) return fail(ranges.error());
+  auto bones = bones_of(skeleton, num_frames_of(motion) > 0, *ranges, lenient, diagnostics);
+  if (!bones) return fail(std::move(bones.error()));
+  return changed(motion, std::move(*bones));
+}
+
+}  // namespace
+
+Result<Motion> with_bones(const Motion& motion, bool lenient, Diagnostics& diagnostics) {
+  return any_with_bones(motion, lenient, diagnostics);
+}
+Result<LongMotion> with_bones(const LongMotion& motion, bool lenient, Diagnostics& diagnostics) {
+  return any_with_bones(motion, lenient, diagnostics);
 }
 
 }  // namespace kinefile::shape

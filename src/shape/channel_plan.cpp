@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
@@ -27,7 +26,7 @@ bool is_in_order(const std::vector<DegreeOfFreedom>& rotations, const RotationOr
   return true;
 }
 
-/// The inverse of `in_rest_frame`.
+/// The opposite of `in_rest_frame`.
 Vec3 from_rest_frame(const Joint& joint, const Vec3& v) {
   const bool is_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
   return is_turned ? joint.rest_rotation * v : v;
@@ -45,15 +44,11 @@ void add_column(JointChange& change, ColumnSource column, std::string channel,
 
 /// The error that a joint moves along one of its translations.
 Error position_loss(const ChannelContext& context, const Joint& joint, const DegreeOfFreedom& dof) {
-  double most = 0;
-  for (std::size_t f = 0; f < context.motion.clip.num_frames; ++f) {
-    most = std::fmax(most, std::abs(context.motion.clip.row(f)[dof.coordinate] - dof.rest));
-  }
-  return make_error(
-      ErrorKind::DataLoss, "EDT001",
-      fmt::format("joint '{}' moves along {} by up to {:.6g}, which is lost without "
-                  "its position channels",
-                  joint.name, context.motion.skeleton.coordinates[dof.coordinate].channel, most));
+  return make_error(ErrorKind::DataLoss, "EDT001",
+                    fmt::format("joint '{}' moves along {} by up to {:.6g}, which is lost without "
+                                "its position channels",
+                                joint.name, context.skeleton.coordinates[dof.coordinate].channel,
+                                farthest_from(context.ranges.at(dof.coordinate), dof.rest)));
 }
 
 /// Adds position channels to the offset, if they are constant but for noise.
@@ -62,7 +57,7 @@ Result<void> drop_positions(const ChannelContext& context, const Joint& joint,
   const double noise = noise_of_place(joint, context.size);
   for (const DegreeOfFreedom& dof : joint.dofs) {
     if (dof.kind != DofKind::Translation) continue;
-    auto settled = settled_number(context.motion.clip, dof.coordinate, dof.rest, noise);
+    auto settled = settled_number(context.ranges.at(dof.coordinate), dof.rest, noise);
     if (!settled) {
       Error error = position_loss(context, joint, dof);
       if (!context.options.lenient) return fail(std::move(error));
@@ -100,12 +95,12 @@ void complete_positions(const ChannelContext& context, const Joint& joint, Joint
 /// Whether a degree of freedom has its own column, and the axis x, y or z.
 bool is_plain(const ChannelContext& context, std::size_t joint_index, const DegreeOfFreedom& dof) {
   const bool is_own = context.num_readers[dof.coordinate] == 1 &&
-                      context.motion.skeleton.coordinates[dof.coordinate].joint == joint_index;
+                      context.skeleton.coordinates[dof.coordinate].joint == joint_index;
   return is_own && axis_of(dof).has_value();
 }
 
 bool are_plain(const ChannelContext& context, std::size_t joint_index, DofKind kind) {
-  const std::vector<DegreeOfFreedom>& dofs = context.motion.skeleton.joints[joint_index].dofs;
+  const std::vector<DegreeOfFreedom>& dofs = context.skeleton.joints[joint_index].dofs;
   return std::all_of(dofs.begin(), dofs.end(), [&](const DegreeOfFreedom& dof) {
     return dof.kind != kind || is_plain(context, joint_index, dof);
   });
@@ -208,7 +203,7 @@ bool is_tail(const DegreeOfFreedom& dof) {
 template <class IsKept>
 void keep_columns(const ChannelContext& context, std::size_t joint_index, const IsKept& is_kept,
                   JointChange& change) {
-  const Skeleton& skeleton = context.motion.skeleton;
+  const Skeleton& skeleton = context.skeleton;
   const std::vector<DegreeOfFreedom>& dofs = skeleton.joints[joint_index].dofs;
   std::vector<std::size_t> columns;
   for (const std::size_t c : context.columns_of_joint[joint_index]) {
@@ -237,7 +232,7 @@ void keep_columns(const ChannelContext& context, std::size_t joint_index, const 
 /// Keeps all columns of a joint unchanged.
 JointChange unchanged(const ChannelContext& context, std::size_t joint_index) {
   JointChange change;
-  change.offset = context.motion.skeleton.joints[joint_index].offset;
+  change.offset = context.skeleton.joints[joint_index].offset;
   keep_columns(
       context, joint_index, [](const DegreeOfFreedom&) { return true; }, change);
   return change;
@@ -268,6 +263,12 @@ PositionChannels positions_for(const Joint& joint, PositionChannels all) {
   return rotations_of(joint).empty() ? PositionChannels::AsIs : PositionChannels::Root;
 }
 
+/// Whether a joint has position channels after the change.
+bool keeps_positions(const Joint& joint, PositionChannels all) {
+  const PositionChannels positions = positions_for(joint, all);
+  return positions != PositionChannels::Root || joint.parent == kNoParent;
+}
+
 }  // namespace
 
 Vec3 in_rest_frame(const Joint& joint, const Vec3& v) {
@@ -275,8 +276,23 @@ Vec3 in_rest_frame(const Joint& joint, const Vec3& v) {
   return is_turned ? joint.rest_rotation.conjugate() * v : v;
 }
 
+bool repeats_an_axis(const Joint& joint) {
+  return repeats_a_rotation(joint) || repeats_a_direction(joint);
+}
+
+std::vector<std::size_t> deciding_columns(const Skeleton& skeleton, PositionChannels all) {
+  std::vector<std::size_t> columns;
+  for (const Joint& joint : skeleton.joints) {
+    if (keeps_positions(joint, all)) continue;
+    for (const DegreeOfFreedom& dof : joint.dofs) {
+      if (dof.kind == DofKind::Translation) columns.push_back(dof.coordinate);
+    }
+  }
+  return columns;
+}
+
 Result<JointChange> plan_change(const ChannelContext& context, std::size_t joint_index) {
-  const Joint& joint = context.motion.skeleton.joints[joint_index];
+  const Joint& joint = context.skeleton.joints[joint_index];
   const PositionChannels positions = positions_for(joint, context.positions);
   const bool is_as_is = positions == PositionChannels::AsIs;
   const bool has_positions = positions == PositionChannels::All || joint.parent == kNoParent;
@@ -313,14 +329,10 @@ Result<JointChange> plan_change(const ChannelContext& context, std::size_t joint
     keep_columns(context, joint_index, is_tail, change);
     return change;
   }
-  add_rotations(joint, order, has_plain_rotations && !is_refused,
-                context.motion.skeleton.angle_unit, change);
+  add_rotations(joint, order, has_plain_rotations && !is_refused, context.skeleton.angle_unit,
+                change);
   keep_columns(context, joint_index, is_tail, change);
   return change;
-}
-
-bool repeats_an_axis(const Joint& joint) {
-  return repeats_a_rotation(joint) || repeats_a_direction(joint);
 }
 
 }  // namespace kinefile::shape

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which channels `with_channels` gives to a joint, and what they are made from.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "kinefile/shape.hpp"
+#include "kinematics/column_range.hpp"
 #include "kinematics/joint_columns.hpp"
+
+// What `with_channels` makes of each joint's channels.
 
 namespace kinefile::shape {
 
@@ -33,9 +34,10 @@ struct JointChange {
   EulerAxes axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };
 
-/// What a plan relies on.
+/// What a change of channels is decided from.
 struct ChannelContext {
-  const Motion& motion;
+  const Skeleton& skeleton;
+  const ColumnRanges& ranges;  ///< of the columns in `deciding_columns`
   const ChannelOptions& options;
   Diagnostics& diagnostics;
   PositionChannels positions = PositionChannels::AsIs;
@@ -45,12 +47,15 @@ struct ChannelContext {
   std::vector<std::size_t> num_readers = {};  ///< of every column
 };
 
+/// The columns whose numbers decide about the change: those of positions that are dropped.
+std::vector<std::size_t> deciding_columns(const Skeleton& skeleton, PositionChannels all);
+
+/// Plans the new channels of a joint, which does not move freely.
+/// \errors EDT001 (DataLoss) if positions that change are dropped, and not lenient
+Result<JointChange> plan_change(const ChannelContext& context, std::size_t joint_index);
+
 /// Transforms a vector from the parent's frame to the frame of a joint's translations. It keeps its
 /// bits if the joint has no rest rotation.
 Vec3 in_rest_frame(const Joint& joint, const Vec3& v);
-
-/// Plans one joint's channels.
-/// \errors as for `with_channels`
-Result<JointChange> plan_change(const ChannelContext& context, std::size_t joint_index);
 
 }  // namespace kinefile::shape

@@ -7,30 +7,20 @@
 
 #include "base/parallel.hpp"
 #include "kinefile/compare.hpp"
+#include "kinefile/joint_rotation.hpp"
 #include "kinefile/kinematics.hpp"
+#include "kinefile/shape.hpp"
+#include "kinematics/joint_columns.hpp"
 #include "kinematics/rotation_batches.hpp"
 #include "shape/channel_plan.hpp"
+#include "shape/frame_change.hpp"
 
 namespace kinefile::shape {
 namespace {
 
-/// Reports what is lost with the noise of positions, if any is.
-void note_lost_noise(const Motion& motion, const std::vector<JointChange>& changes,
-                     const Motion& result, Diagnostics& diagnostics) {
-  const auto count = std::count_if(changes.begin(), changes.end(),
-                                   [](const JointChange& change) { return change.loses_noise; });
-  if (count == 0) return;
-  const LargestDifference most = compare_motions(motion, result).distance;
-  diagnostics.add(
-      Severity::Note, "EDT013",
-      fmt::format("the positions of {} joint{} that stay but for noise are lost: {:.2g} "
-                  "at the most, at '{}' in frame {}",
-                  count, count == 1 ? "" : "s", most.value, most.joint, most.frame));
-}
-
 /// Fills the columns of one joint, frames after frames.
 struct ColumnFiller {
-  const JointChange* change = nullptr;
+  JointChange change;
   std::size_t first_column = 0;
   Vec3 base = Vec3::Zero();  ///< the part of the joint's offset that its positions now contain
   RotationReader reader;     ///< of the old angles
@@ -49,11 +39,11 @@ void fill_column(const FrameBatch& frames, std::size_t column, const Number& num
 /// Fills those of a joint's columns that are new positions.
 void fill_positions(const Clip& source, const ColumnFiller& filler, const FrameBatch& frames,
                     const Rows& out) {
-  const std::vector<ColumnSource>& columns = filler.change->columns;
+  const std::vector<ColumnSource>& columns = filler.change.columns;
   for (std::size_t i = 0; i < frames.count; ++i) {
     const std::size_t f = frames.first + i;
     const Vec3 position =
-        position_in_row(filler.base, filler.change->old_translations, source.row(f));
+        position_in_row(filler.base, filler.change.old_translations, source.row(f));
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c].from != ColumnSource::From::Position) continue;
       out[f][filler.first_column + c] = position[static_cast<Eigen::Index>(columns[c].component)];
@@ -66,8 +56,8 @@ void fill_positions(const Clip& source, const ColumnFiller& filler, const FrameB
 void fill_rows(const Clip& source, const ColumnFiller& filler, const FrameBatch& frames,
                const simd::Angles& angles, const Rows& out) {
   const double* const from = source.values.data() + frames.first * source.num_coordinates;
-  for (std::size_t c = 0; c < filler.change->columns.size(); ++c) {
-    const ColumnSource& column = filler.change->columns[c];
+  for (std::size_t c = 0; c < filler.change.columns.size(); ++c) {
+    const ColumnSource& column = filler.change.columns[c];
     const auto fill = [&](const auto& number) {
       fill_column(frames, filler.first_column + c, number, out);
     };
@@ -85,82 +75,139 @@ void fill_rows(const Clip& source, const ColumnFiller& filler, const FrameBatch&
         break;
     }
   }
-  if (!filler.change->old_translations.empty()) fill_positions(source, filler, frames, out);
+  if (!filler.change.old_translations.empty()) fill_positions(source, filler, frames, out);
 }
 
-/// Fills the columns of some joints, a block of frames after the other.
-void fill_columns(const Motion& source, std::span<ColumnFiller> fillers, const Rows& out) {
+/// Fills the columns of some joints, some frames after the other.
+void fill_columns(const Clip& source, std::span<ColumnFiller> fillers, const Rows& out) {
   simd::Quaternions rotations;
   simd::Angles angles;
-  for (const FrameBatch& frames : batches_of(source.clip.num_frames)) {
+  for (const FrameBatch& frames : batches_of(source.num_frames)) {
     for (ColumnFiller& filler : fillers) {
-      if (filler.change->columns.empty()) continue;
-      if (filler.change->has_new_angles) {
-        filler.reader.read(source.clip, frames, rotations);
+      if (filler.change.columns.empty()) continue;
+      if (filler.change.has_new_angles) {
+        filler.reader.read(source, frames, rotations);
         filler.finder.find(rotations, frames.count, angles);
       }
-      fill_rows(source.clip, filler, frames, angles, out);
+      fill_rows(source, filler, frames, angles, out);
     }
   }
 }
 
-/// Gives other channels to a motion without gains and shifts, whose rotations are angles.
-Result<Motion> with_channels_of_angles(const Motion& motion, const ChannelOptions& options,
-                                       Diagnostics& diagnostics) {
-  const ChannelContext context{
-      motion,
-      options,
-      diagnostics,
-      options.positions.value_or(options.usual_positions),
-      !options.replaces_offsets && (options.adds_positions || adds_positions(motion.skeleton)),
-      rest_size(motion.skeleton),
-      columns_of_joints(motion.skeleton),
-      num_readers_of_columns(motion.skeleton)};
-  Motion result;
-  result.skeleton = motion.skeleton;
-  result.skeleton.coordinates.clear();
-  std::vector<JointChange> changes;
-  std::vector<std::size_t> first_columns;
-  for (std::size_t j = 0; j < motion.skeleton.joints.size(); ++j) {
-    if (moves_freely(motion.skeleton.joints[j])) {
+/// A change of channels, and whether noise of positions is lost by it.
+struct ChannelChange {
+  FrameChange frames;
+  std::size_t num_noisy = 0;  ///< joints that lose noise
+};
+
+/// Puts a joint's new channels behind those of the joints before it.
+ColumnFiller place_channels(const Skeleton& old, std::size_t joint_index, JointChange&& change,
+                            Skeleton& skeleton) {
+  const Joint& old_joint = old.joints[joint_index];
+  const std::size_t first = skeleton.coordinates.size();
+  for (const std::string& channel : change.channels) {
+    skeleton.coordinates.push_back({joint_index, channel});
+  }
+  Joint& joint = skeleton.joints[joint_index];
+  joint.offset = change.offset;
+  joint.dofs = change.dofs;
+  for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate += first;
+  const Vec3 base = in_rest_frame(old_joint, old_joint.offset - change.offset);
+  const bool is_in_degrees = old.angle_unit == AngleUnit::Degrees;
+  const rotation::AngleFinder finder(change.axes, is_in_degrees, Vec3::Zero());
+  const RotationReader reader(change.old_rotations, old.angle_unit);
+  return {std::move(change), first, base, reader, finder};
+}
+
+/// Plans other channels for a skeleton without gains and shifts, whose rotations are angles.
+Result<ChannelChange> change_of(const ChannelContext& context) {
+  const Skeleton& old = context.skeleton;
+  ChannelChange change{{old}};
+  Skeleton& skeleton = change.frames.skeleton;
+  skeleton.coordinates.clear();
+  std::vector<ColumnFiller> fillers;
+  for (std::size_t j = 0; j < old.joints.size(); ++j) {
+    if (moves_freely(old.joints[j])) {
       return fail(
           make_error(ErrorKind::Usage, "EDT002",
                      fmt::format("joint '{}' moves freely, so it cannot be given other channels",
-                                 motion.skeleton.joints[j].name)));
+                                 old.joints[j].name)));
     }
-    auto change = plan_change(context, j);
-    if (!change) return fail(std::move(change.error()));
-    const std::size_t first = result.skeleton.coordinates.size();
-    for (const std::string& channel : change->channels) {
-      result.skeleton.coordinates.push_back({j, channel});
-    }
-    Joint& joint = result.skeleton.joints[j];
-    joint.offset = change->offset;
-    joint.dofs = change->dofs;
-    for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate += first;
-    first_columns.push_back(first);
-    changes.push_back(std::move(*change));
+    auto planned = plan_change(context, j);
+    if (!planned) return fail(std::move(planned.error()));
+    change.num_noisy += planned->loses_noise ? 1 : 0;
+    fillers.push_back(place_channels(old, j, *std::move(planned), skeleton));
   }
-  result.clip.timeline = motion.clip.timeline;
-  result.clip.num_frames = motion.clip.num_frames;
-  result.clip.num_coordinates = result.skeleton.coordinates.size();
-  result.clip.values.resize(result.clip.num_frames * result.clip.num_coordinates);
-  std::vector<ColumnFiller> fillers;
-  for (std::size_t j = 0; j < changes.size(); ++j) {
-    const Joint& joint = motion.skeleton.joints[j];
-    const bool is_in_degrees = motion.skeleton.angle_unit == AngleUnit::Degrees;
-    fillers.push_back({&changes[j], first_columns[j],
-                       in_rest_frame(joint, joint.offset - changes[j].offset),
-                       RotationReader(changes[j].old_rotations, motion.skeleton.angle_unit),
-                       rotation::AngleFinder(changes[j].axes, is_in_degrees, Vec3::Zero())});
-  }
-  const Rows out = result.clip.mutate();
-  const std::span<ColumnFiller> all = fillers;
-  for_each_group(fillers.size(), out.values.size(), [&](std::size_t begin, std::size_t end) {
-    fill_columns(motion, all.subspan(begin, end - begin), out);
+  change.frames.fill = [fillers = std::move(fillers)](const Clip& next, const Rows& out) mutable {
+    const std::span<ColumnFiller> all = fillers;
+    for_each_group(all.size(), out.values.size(), [&](std::size_t begin, std::size_t end) {
+      fill_columns(next, all.subspan(begin, end - begin), out);
+    });
+  };
+  return change;
+}
+
+/// Reports what is lost with the noise of positions.
+/// \param frames  all frames of the motion with the old skeleton
+Result<void> note_lost_noise(const Skeleton& old, EachBlock frames, ChannelChange change,
+                             Diagnostics& diagnostics) {
+  LargestDifference most;
+  auto compared = frames([&](const FrameBlock& block) {
+    const Motion before{old, clip_of(block, old.coordinates.size())};
+    Motion after{change.frames.skeleton,
+                 {block.num_frames, change.frames.skeleton.coordinates.size(), {}, {}}};
+    after.clip.values.resize(after.clip.num_frames * after.clip.num_coordinates);
+    change.frames.fill(before.clip, after.clip.mutate());
+    LargestDifference found = compare_motions(before, after).distance;
+    found.frame += block.first_frame;
+    if (most.joint.empty() || found.value > most.value) most = std::move(found);
+    return true;
   });
-  note_lost_noise(motion, changes, result, diagnostics);
-  return result;
+  if (!compared) return compared;
+  diagnostics.add(
+      Severity::Note, "EDT013",
+      fmt::format("the positions of {} joint{} that stay but for noise are lost: {:.2g} "
+                  "at the most, at '{}' in frame {}",
+                  change.num_noisy, change.num_noisy == 1 ? "" : "s", most.value, most.joint,
+                  most.frame));
+  return {};
+}
+
+/// Gives other channels to a motion without gains and shifts, whose rotations are angles.
+template <class AnyMotion>
+Result<AnyMotion> with_channels_of_angles(const AnyMotion& motion, const ChannelOptions& options,
+                                          Diagnostics& diagnostics) {
+  const Skeleton& skeleton = skeleton_in(motion);
+  const PositionChannels positions = options.positions.value_or(options.usual_positions);
+  const auto frames = [&motion](UseBlock use) { return for_each_block_of(motion, use); };
+  const auto ranges =
+      ranges_of_columns(frames, skeleton.coordinates.size(), deciding_columns(skeleton, positions));
+  if (!ranges) return fail(ranges.error());
+  const ChannelContext context{
+      skeleton,
+      *ranges,
+      options,
+      diagnostics,
+      positions,
+      !options.replaces_offsets && (options.adds_positions || adds_positions(skeleton)),
+      rest_size(skeleton),
+      columns_of_joints(skeleton),
+      num_readers_of_columns(skeleton)};
+  auto change = change_of(context);
+  if (!change) return fail(std::move(change.error()));
+  if (change->num_noisy > 0) {
+    auto noted = note_lost_noise(skeleton, frames, *change, diagnostics);
+    if (!noted) return fail(std::move(noted.error()));
+  }
+  return changed(motion, std::move(change->frames));
+}
+
+template <class AnyMotion>
+Result<AnyMotion> any_with_channels(const AnyMotion& motion, const ChannelOptions& options,
+                                    Diagnostics& diagnostics) {
+  const RotationOrder order = options.order.value_or(options.usual_order);
+  return with_channels_of_angles(with_angles(with_plain_values(motion), order), options,
+                                 diagnostics);
 }
 
 }  // namespace
@@ -179,9 +226,11 @@ std::optional<RotationOrder> parse_rotation_order(std::string_view text) {
 
 Result<Motion> with_channels(const Motion& motion, const ChannelOptions& options,
                              Diagnostics& diagnostics) {
-  const RotationOrder order = options.order.value_or(options.usual_order);
-  return with_channels_of_angles(with_angles(with_plain_values(motion), order), options,
-                                 diagnostics);
+  return any_with_channels(motion, options, diagnostics);
+}
+Result<LongMotion> with_channels(const LongMotion& motion, const ChannelOptions& options,
+                                 Diagnostics& diagnostics) {
+  return any_with_channels(motion, options, diagnostics);
 }
 
 }  // namespace kinefile::shape

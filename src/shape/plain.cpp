@@ -6,6 +6,7 @@
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
 #include "kinematics/rotation_batches.hpp"
+#include "shape/frame_change.hpp"
 
 namespace kinefile::shape {
 namespace {
@@ -32,21 +33,6 @@ std::optional<std::size_t> own_column_of(const std::vector<FollowingColumn>& fol
   const auto own = std::find_if(following.begin(), following.end(),
                                 [joint](const FollowingColumn& one) { return one.joint == joint; });
   return own == following.end() ? std::nullopt : std::optional(own->column);
-}
-
-/// A clip with more columns after the old ones.
-Clip widened(const Clip& clip, std::size_t num_columns) {
-  Clip wider;
-  wider.timeline = clip.timeline;
-  wider.num_frames = clip.num_frames;
-  wider.num_coordinates = num_columns;
-  wider.values.resize(wider.num_frames * num_columns);
-  const Rows rows = wider.mutate();
-  for (std::size_t f = 0; f < clip.num_frames; ++f) {
-    const auto row = clip.row(f);
-    std::fill(std::copy(row.begin(), row.end(), rows[f].begin()), rows[f].end(), 0.0);
-  }
-  return wider;
 }
 
 /// A column of a motion without whole rotations: an old one, or an angle of a joint.
@@ -97,20 +83,22 @@ std::vector<AngleSource> plan_angles(const Skeleton& skeleton,
   return sources;
 }
 
+/// A joint that turns as a whole, and gets three angles.
+struct NewAngles {
+  RotationReader reader;
+  std::size_t first;  ///< of its three columns
+  rotation::AngleFinder finder;
+};
+
 /// Writes the angles of a joint's whole rotation.
-/// \param first  the first of its three columns
-void fill_angles(const Motion& motion, std::size_t joint, const EulerAxes& axes, std::size_t first,
-                 const Rows& rows) {
-  const AngleUnit unit = motion.skeleton.angle_unit;
-  const RotationReader reader(rotations_of(motion.skeleton.joints[joint]), unit);
-  rotation::AngleFinder finder(axes, unit == AngleUnit::Degrees, Vec3::Zero());
+void fill_angles(const Clip& clip, NewAngles& made, const Rows& rows) {
   simd::Quaternions found;
   simd::Angles angles;
-  for (const FrameBatch& frames : batches_of(motion.clip.num_frames)) {
-    reader.read(motion.clip, frames, found);
-    finder.find(found, frames.count, angles);
+  for (const FrameBatch& frames : batches_of(clip.num_frames)) {
+    made.reader.read(clip, frames, found);
+    made.finder.find(found, frames.count, angles);
     for (std::size_t i = 0; i < frames.count; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) rows[frames.first + i][first + k] = angles[k][i];
+      for (std::size_t k = 0; k < 3; ++k) rows[frames.first + i][made.first + k] = angles[k][i];
     }
   }
 }
@@ -129,13 +117,20 @@ void turn_by_angles(Joint& joint, const RotationOrder& order, std::size_t first)
   joint.dofs.insert(at, turns.begin(), turns.end());
 }
 
-}  // namespace
+/// Copies rows, with zeros in columns that are new behind the old ones.
+void widen(const Clip& clip, const Rows& rows) {
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    const auto row = clip.row(f);
+    std::fill(std::copy(row.begin(), row.end(), rows[f].begin()), rows[f].end(), 0.0);
+  }
+}
 
-Motion with_plain_values(const Motion& motion) {
-  const auto following = following_columns(motion.skeleton);
-  const std::vector<std::size_t> readers = num_readers_of_columns(motion.skeleton);
-  Motion result = motion;
-  Skeleton& skeleton = result.skeleton;
+/// The change of `with_plain_values`; the skeleton alone if all values are plain.
+FrameChange plain_values(const Skeleton& old) {
+  const auto following = following_columns(old);
+  const std::vector<std::size_t> readers = num_readers_of_columns(old);
+  FrameChange change{old};
+  Skeleton& skeleton = change.skeleton;
   std::vector<Valued> valued;
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     const auto own = own_column_of(following, j);
@@ -149,30 +144,48 @@ Motion with_plain_values(const Motion& motion) {
       read_values_from(column, dof, valued);
     }
   }
-  if (valued.empty()) return motion;
-  result.clip = widened(motion.clip, skeleton.coordinates.size());
-  const Rows rows = result.clip.mutate();
-  for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
-    const auto row = motion.clip.row(f);
-    for (const Valued& one : valued) rows[f][one.to] = value_of(one.dof, row[one.from]);
-  }
-  return result;
+  if (valued.empty()) return change;
+  change.fill = [valued = std::move(valued)](const Clip& next, const Rows& rows) {
+    widen(next, rows);
+    for (std::size_t f = 0; f < next.num_frames; ++f) {
+      for (const Valued& one : valued) rows[f][one.to] = value_of(one.dof, next.row(f)[one.from]);
+    }
+  };
+  return change;
 }
 
-Motion with_angles(const Motion& motion, const RotationOrder& order) {
-  const std::vector<std::size_t> joints = whole_turning_joints(motion.skeleton);
-  if (joints.empty()) return motion;
-  const std::vector<AngleSource> sources = plan_angles(motion.skeleton, joints);
-  Motion result{motion.skeleton, {}};
-  Skeleton& skeleton = result.skeleton;
+EulerAxes axes_of(const RotationOrder& order) {
+  return {Vec3::Unit(static_cast<Eigen::Index>(order[0])),
+          Vec3::Unit(static_cast<Eigen::Index>(order[1])),
+          Vec3::Unit(static_cast<Eigen::Index>(order[2]))};
+}
+
+/// Fills the rows of a motion without whole rotations.
+void fill_columns(const Clip& clip, const std::vector<AngleSource>& sources,
+                  std::vector<NewAngles>& angles, const Rows& rows) {
+  for (std::size_t f = 0; f < clip.num_frames; ++f) {
+    for (std::size_t c = 0; c < sources.size(); ++c) {
+      if (sources[c].old_column != kNoParent) rows[f][c] = clip.row(f)[sources[c].old_column];
+    }
+  }
+  for (NewAngles& made : angles) fill_angles(clip, made, rows);
+}
+
+/// The change of `with_angles`; the skeleton alone if no joint turns as a whole.
+FrameChange angles_of(const Skeleton& old, const RotationOrder& order) {
+  const std::vector<std::size_t> joints = whole_turning_joints(old);
+  FrameChange change{old};
+  if (joints.empty()) return change;
+  std::vector<AngleSource> sources = plan_angles(old, joints);
+  Skeleton& skeleton = change.skeleton;
   skeleton.coordinates.clear();
-  std::vector<std::size_t> new_of_old(motion.skeleton.coordinates.size(), 0);
+  std::vector<std::size_t> new_of_old(old.coordinates.size(), 0);
   std::vector<std::size_t> first_angle(skeleton.joints.size(), kNoParent);
   for (std::size_t c = 0; c < sources.size(); ++c) {
     const AngleSource& source = sources[c];
     if (source.old_column != kNoParent) {
       new_of_old[source.old_column] = c;
-      skeleton.coordinates.push_back(motion.skeleton.coordinates[source.old_column]);
+      skeleton.coordinates.push_back(old.coordinates[source.old_column]);
       continue;
     }
     if (source.component == 0) first_angle[source.joint] = c;
@@ -184,22 +197,33 @@ Motion with_angles(const Motion& motion, const RotationOrder& order) {
     for (DegreeOfFreedom& dof : joint.dofs) dof.coordinate = new_of_old[dof.coordinate];
     if (first_angle[j] != kNoParent) turn_by_angles(joint, order, first_angle[j]);
   }
-  result.clip.timeline = motion.clip.timeline;
-  result.clip.num_frames = motion.clip.num_frames;
-  result.clip.num_coordinates = sources.size();
-  result.clip.values.resize(result.clip.num_frames * sources.size());
-  const Rows rows = result.clip.mutate();
-  for (std::size_t f = 0; f < result.clip.num_frames; ++f) {
-    for (std::size_t c = 0; c < sources.size(); ++c) {
-      if (sources[c].old_column != kNoParent)
-        rows[f][c] = motion.clip.row(f)[sources[c].old_column];
-    }
+  std::vector<NewAngles> angles;
+  for (const std::size_t j : joints) {
+    const bool is_in_degrees = old.angle_unit == AngleUnit::Degrees;
+    angles.push_back({RotationReader(rotations_of(old.joints[j]), old.angle_unit), first_angle[j],
+                      rotation::AngleFinder(axes_of(order), is_in_degrees, Vec3::Zero())});
   }
-  const EulerAxes axes = {Vec3::Unit(static_cast<Eigen::Index>(order[0])),
-                          Vec3::Unit(static_cast<Eigen::Index>(order[1])),
-                          Vec3::Unit(static_cast<Eigen::Index>(order[2]))};
-  for (const std::size_t j : joints) fill_angles(motion, j, axes, first_angle[j], rows);
-  return result;
+  change.fill = [sources = std::move(sources), angles = std::move(angles)](
+                    const Clip& next, const Rows& rows) mutable {
+    fill_columns(next, sources, angles, rows);
+  };
+  return change;
+}
+
+}  // namespace
+
+Motion with_plain_values(const Motion& motion) {
+  return changed(motion, plain_values(motion.skeleton));
+}
+LongMotion with_plain_values(const LongMotion& motion) {
+  return changed(motion, plain_values(skeleton_in(motion)));
+}
+
+Motion with_angles(const Motion& motion, const RotationOrder& order) {
+  return changed(motion, angles_of(motion.skeleton, order));
+}
+LongMotion with_angles(const LongMotion& motion, const RotationOrder& order) {
+  return changed(motion, angles_of(skeleton_in(motion), order));
 }
 
 }  // namespace kinefile::shape

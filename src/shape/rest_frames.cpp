@@ -6,6 +6,7 @@
 
 #include "kinefile/joint_rotation.hpp"
 #include "kinefile/shape.hpp"
+#include "shape/frame_change.hpp"
 
 namespace kinefile::shape {
 namespace {
@@ -60,13 +61,11 @@ void hand_down(Motion& motion, std::size_t joint_index, const DegreeOfFreedom& t
   }));
 }
 
-}  // namespace
-
-Result<Motion> with_world_aligned_rest(const Motion& motion) {
-  Motion result = motion;
+/// The skeleton of `with_world_aligned_rest`.
+Result<Skeleton> world_aligned(Skeleton skeleton) {
   std::vector<Mat3> world_from_rest;
   std::vector<bool> is_turned;
-  for (Joint& joint : result.skeleton.joints) {
+  for (Joint& joint : skeleton.joints) {
     const bool has_turned_parent = joint.parent != kNoParent && is_turned[joint.parent];
     const bool is_rest_turned = !joint.rest_rotation.isApprox(Quat::Identity(), 0);
     const Mat3 parent = has_turned_parent ? world_from_rest[joint.parent] : Mat3::Identity();
@@ -83,7 +82,23 @@ Result<Motion> with_world_aligned_rest(const Motion& motion) {
     }
     turn_frames(joint, own, parent);
   }
-  return result;
+  return skeleton;
+}
+
+template <class AnyMotion>
+Result<AnyMotion> any_with_world_aligned_rest(const AnyMotion& motion) {
+  auto skeleton = world_aligned(skeleton_in(motion));
+  if (!skeleton) return fail(std::move(skeleton.error()));
+  return changed(motion, {std::move(*skeleton)});
+}
+
+}  // namespace
+
+Result<Motion> with_world_aligned_rest(const Motion& motion) {
+  return any_with_world_aligned_rest(motion);
+}
+Result<LongMotion> with_world_aligned_rest(const LongMotion& motion) {
+  return any_with_world_aligned_rest(motion);
 }
 
 Result<Motion> without_tail_translations(const Motion& motion, bool lenient,

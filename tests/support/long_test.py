@@ -4,6 +4,7 @@
 below 200 MB, and every frame is there."""
 
 import argparse
+import json
 import os
 import pathlib
 import resource
@@ -14,6 +15,7 @@ import unittest
 import zipfile
 
 FILE_BYTES = 2 << 30
+PART_BYTES = 300 << 20
 MOST_RESIDENT_BYTES = 200 << 20
 MOST_ADDRESS_BYTES = 1 << 30
 ROWS_PER_BLOCK = 4000
@@ -43,10 +45,10 @@ def rows_of_block():
     return "".join(rows)
 
 
-def write_motion(path):
+def write_motion(path, num_bytes):
     """Returns the number of frames."""
     block = rows_of_block().encode()
-    num_blocks = FILE_BYTES // len(block) + 1
+    num_blocks = num_bytes // len(block) + 1
     hierarchy = HEAD + "".join(JOINT % k for k in range(NUM_JOINTS)) + END + "}\n" * (NUM_JOINTS + 1)
     counts = f"MOTION\nFrames: {num_blocks * ROWS_PER_BLOCK}\nFrame Time: 0.01\n"
     with open(path, "wb") as file:
@@ -65,7 +67,7 @@ class Long(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="kinefile-long.")
         cls.motion = pathlib.Path(cls.folder.name) / "long.bvh"
-        cls.num_frames = write_motion(cls.motion)
+        cls.num_frames = write_motion(cls.motion, FILE_BYTES)
 
     @classmethod
     def tearDownClass(cls):
@@ -122,6 +124,29 @@ class Long(unittest.TestCase):
             frame += is_row
             is_row = is_row or row.startswith(b"Frame Time:")
         self.assertEqual(frame, (self.num_frames - 1 + 9) // 10 + 1)
+
+    def test_convert_many_to_amc(self):
+        """Files in a batch are read block by block, too, and hashed; AMC has a skeleton beside it."""
+        folder = pathlib.Path(self.folder.name)
+        part, block = folder / "part.bvh", folder / "block.bvh"
+        num_frames = write_motion(part, PART_BYTES)
+        self.assertEqual(write_motion(block, 0), ROWS_PER_BLOCK)
+        words = ["convert", part, block, "--to", "amc", "--out-dir", folder / "out"]
+        words += ["--json"]
+        self.assertEqual(json.loads(b"".join(self.lines_of(words)))["written"], 2)
+        again = json.loads(b"".join(self.lines_of([*words, "--resume"])))
+        self.assertEqual(again["up_to_date"], 2)
+        self.assertEqual((folder / "out/part.asf").read_bytes(), (folder / "out/block.asf").read_bytes())
+        expected = (folder / "out/block.amc").read_bytes().replace(b"block.asf", b"part.asf")
+        found = 0
+        with open(folder / "out/part.amc", "rb") as file:
+            begin = file.read(len(expected))
+            self.assertEqual(begin, expected)
+            before, piece = b"", begin
+            while piece:
+                found += (before[-5:] + piece).count(b"\nroot ")
+                before, piece = piece, file.read(1 << 24)
+        self.assertEqual(found, num_frames)
 
 
 if __name__ == "__main__":

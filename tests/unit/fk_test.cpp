@@ -21,10 +21,11 @@ Document walk() { return {examples::make_walk({.num_frames = 10}), "bvh", {}}; }
 
 std::string fk_csv_of(const FkTable& table) {
   std::string text;
-  write_table(table, *find_format("csv"), {}, [&text](std::string_view piece) {
+  const Sink sink = [&text](std::string_view piece) {
     text += piece;
     return true;
-  });
+  };
+  EXPECT_TRUE(write_table(table, *find_format("csv"), {}, sink));
   return text;
 }
 

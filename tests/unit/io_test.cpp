@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinefile/io.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -8,7 +9,10 @@
 #include <fstream>
 #include <thread>
 
+#include "kinefile/process.hpp"
+#include "kinefile/retime_documents.hpp"
 #include "support/support.hpp"
+#include "walk.hpp"
 
 namespace kinefile {
 namespace {
@@ -236,6 +240,51 @@ TEST_F(Disk, TheSkeletonThatIsNamedIsRecordedAfterTheMotion) {
   ASSERT_EQ(options.opened->size(), 2u) << test::text_of(diagnostics);
   EXPECT_EQ(options.opened->at(0).name, path("move.amc"));
   EXPECT_EQ(options.opened->at(1).name, path("figure.asf"));
+}
+
+TEST_F(Disk, ALargeFileIsProcessedBlockByBlockAsWhole) {
+  const Document walk{examples::make_walk({.num_frames = 3000}), "bvh", {}};
+  put("a.bvh", test::write_to_string(walk, "bvh"));
+  Job job;
+  job.source = path("a.bvh");
+  job.reading.holds_opened = false;
+  job.change_in_blocks = [](LongMotion motion, Diagnostics& diagnostics) {
+    return retime::resample(std::move(motion), 50, {}, diagnostics);
+  };
+  std::size_t num_whole = 0;
+  job.change = [&num_whole](Document& document, Diagnostics& diagnostics) {
+    ++num_whole;
+    return retime::resample(document, 50, {}, diagnostics);
+  };
+  const auto made = [&job] {
+    auto files = std::make_shared<std::vector<MemoryFile>>();
+    job.reading.opened = std::make_shared<std::vector<CompanionFile>>();
+    const Report report = process(job, files_in_memory(files));
+    EXPECT_FALSE(report.error);
+    std::string all =
+        fmt::format("{} {}\n{}", report.kind, report.num_frames, test::text_of(report.diagnostics));
+    for (const MemoryFile& file : *files) all += file.name + "\n" + file.bytes;
+    return all;
+  };
+  for (const char* target : {"b.amc", "b.bvh", "b.csv", "b.seq"}) {
+    job.target = target;
+    job.most_bytes_in_memory.reset();
+    const std::string whole = made();
+    job.most_bytes_in_memory = 0;
+    num_whole = 0;
+    EXPECT_TRUE(made() == whole) << target;
+    EXPECT_EQ(num_whole, std::string_view(target) == "b.seq" ? 1u : 0u);
+    ASSERT_EQ(job.reading.opened->size(), 1u) << target;
+    const CompanionFile& opened = job.reading.opened->front();
+    EXPECT_EQ(opened.name, job.source);
+    ASSERT_TRUE(opened.pieces);
+    std::string head(9, ' ');
+    EXPECT_TRUE(opened.pieces->read(0, head));
+    EXPECT_EQ(head, "HIERARCHY");
+  }
+  put("a.bvh", "shorter");
+  std::string head(7, ' ');
+  EXPECT_FALSE(job.reading.opened->front().pieces->read(0, head));
 }
 
 TEST_F(Disk, TheModelRootIsAFolder) {

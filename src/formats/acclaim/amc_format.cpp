@@ -216,6 +216,21 @@ Result<void> expect_rate(const Timeline& timeline) {
       fmt::format("AMC has {} to {} frames a second, not {}", kLeastRate, kMostRate, rate)));
 }
 
+/// Writes a motion, whose own frames are not looked at.
+Result<void> write_all(const Document& document, EachBlock frames, const WriteOptions& options,
+                       const Sink& sink) {
+  const Motion& motion = std::get<Motion>(document.content);
+  const Timeline& timeline = motion.clip.timeline;
+  if (auto rate = expect_rate(timeline); !rate) return rate;
+  const KeptFile kept = kept_file_of(document);
+  auto unbound = unbind(motion.skeleton, kept);
+  if (!unbound) return fail(std::move(unbound.error()));
+  text::Printer printer(sink, {.decimals = options.decimals});
+  return finish(printer,
+                print_amc(printer, *unbound, heading_of(kept, motion, options), timeline,
+                          motion.skeleton.coordinates.size(), frames, line_end_of(kept.text)));
+}
+
 Result<void> write_amc(const Document& document, const WriteOptions& options, const Sink& sink,
                        Diagnostics&) {
   const Motion* motion = std::get_if<Motion>(&document.content);
@@ -229,14 +244,16 @@ Result<void> write_amc(const Document& document, const WriteOptions& options, co
   }
   auto steady = expect_steady(motion->clip, code::kNotExpressible, "AMC");
   if (!steady) return steady;
-  if (auto rate = expect_rate(motion->clip.timeline); !rate) return rate;
-  const KeptFile kept = kept_file_of(document);
-  auto unbound = unbind(motion->skeleton, kept);
-  if (!unbound) return fail(std::move(unbound.error()));
-  text::Printer printer(sink, {.decimals = options.decimals});
-  print_amc(printer, *unbound, heading_of(kept, *motion, options), motion->clip,
-            line_end_of(kept.text));
-  return finish(printer);
+  return write_all(
+      document, [motion](UseBlock use) { return for_each_block(motion->clip, use); }, options,
+      sink);
+}
+
+Result<void> write_amc_frames(const LongMotion& motion, const WriteOptions& options,
+                              const Sink& sink, Diagnostics&) {
+  return write_all(
+      motion.document, [&motion](UseBlock use) { return for_each_block(motion.frames, use); },
+      options, sink);
 }
 
 }  // namespace
@@ -251,6 +268,7 @@ Format amc_format() {
   format.read = read_amc;
   if (kReadsInBlocks) format.read_pieces = read_amc_pieces;
   format.write = write_amc;
+  if (kReadsInBlocks) format.write_frames = write_amc_frames;
   format.facts = facts;
   format.takes_skeleton = true;
   format.conventions.writes = kAmcWrites;

@@ -71,6 +71,11 @@ Result<void> write_asf(const Document& document, const WriteOptions& options, co
   return finish(printer);
 }
 
+Result<void> write_asf_of_frames(const LongMotion& motion, const WriteOptions& options,
+                                 const Sink& sink, Diagnostics& diagnostics) {
+  return write_asf(motion.document, options, sink, diagnostics);
+}
+
 }  // namespace
 
 Result<ReadSkeleton> read_skeleton(std::string_view bytes, const ReadOptions& options,
@@ -97,6 +102,7 @@ Format asf_format() {
   format.probe = probe_asf;
   format.read = read_asf;
   format.write = write_asf;
+  if (kReadsInBlocks) format.write_frames = write_asf_of_frames;
   format.facts = facts;
   format.conventions.writes = kAsfWrites;
   format.conventions.has_one_end = true;

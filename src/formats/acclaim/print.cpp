@@ -186,19 +186,26 @@ void print_frame(text::Printer& printer, const Unbound& unbound,
 
 }  // namespace
 
-void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
-               const Clip& clip, std::string_view line_end) {
+Result<void> print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
+                       const Timeline& timeline, std::size_t num_columns, EachBlock frames,
+                       std::string_view line_end) {
   Writer writer{printer, line_end};
-  print_heading(writer, unbound, heading, clip.timeline);
+  print_heading(writer, unbound, heading, timeline);
   const std::vector<std::size_t> order = line_order(unbound, heading.bone_order);
-  const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      part.print(std::to_string(heading.first_frame_number + static_cast<std::int64_t>(f)));
-      part.print(line_end);
-      print_frame(part, unbound, order, clip.row(f), line_end);
-    }
-  };
-  printer.print_rows(clip.num_frames, clip.num_coordinates, print);
+  return frames([&](const FrameBlock& block) {
+    const std::int64_t number =
+        heading.first_frame_number + static_cast<std::int64_t>(block.first_frame);
+    const auto print = [&](text::Printer& part, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        part.print(std::to_string(number + static_cast<std::int64_t>(f)));
+        part.print(line_end);
+        print_frame(part, unbound, order, block.rows.subspan(f * num_columns, num_columns),
+                    line_end);
+      }
+    };
+    printer.print_rows(block.num_frames, num_columns, print);
+    return printer.is_good();
+  });
 }
 
 }  // namespace kinefile::acclaim

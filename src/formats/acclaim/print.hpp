@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "formats/acclaim/bind.hpp"
-#include "kinefile/clip.hpp"
+#include "kinefile/frame_source.hpp"
 #include "text/printer.hpp"
 
 namespace kinefile::acclaim {
@@ -24,7 +24,10 @@ struct AmcHeading {
 };
 
 /// Writes a motion.
-void print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
-               const Clip& clip, std::string_view line_end);
+/// \param num_columns  of its frames
+/// \errors those of `frames`
+Result<void> print_amc(text::Printer& printer, const Unbound& unbound, const AmcHeading& heading,
+                       const Timeline& timeline, std::size_t num_columns, EachBlock frames,
+                       std::string_view line_end);
 
 }  // namespace kinefile::acclaim

@@ -31,14 +31,6 @@ enum class TimedRounding {
   Slerp,  ///< no rounding: values are interpolated
 };
 
-/// The bytes of a file that are read piece by piece.
-struct ByteSource {
-  std::size_t size = 0;
-  /// Reads the bytes from a place on, all of which are in the file; false after a fault. May be
-  /// called from several threads at once.
-  std::function<bool(std::size_t offset, std::span<char> bytes)> read = {};
-};
-
 /// A file that another file needs, or that was opened.
 struct CompanionFile {
   std::string name;        ///< its name in diagnostics

@@ -43,7 +43,7 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const std::uint8_t* const* from) {
 
 /// Joins 16 digits of each block to two numbers of 8 digits, in the two 64-bit lanes of the block.
 template <class D, class V>
-HWY_INLINE hn::Vec<hn::Repartition<std::uint64_t, D> > joined_eights(D d, V digits) {
+HWY_INLINE hn::Vec<hn::Repartition<std::uint64_t, D> > joined_eights(D, V digits) {
   const hn::Repartition<std::uint16_t, D> d16;
   const hn::Repartition<std::uint32_t, D> d32;
   const hn::Repartition<std::uint64_t, D> d64;

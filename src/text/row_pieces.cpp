@@ -95,7 +95,7 @@ struct Piece {
   std::size_t num_rows = 0;
   std::size_t num_bytes = 0;  ///< of its rows
   const char* text_end = nullptr;
-  std::size_t next = 0;  ///< the place behind its rows
+  std::size_t next = kNoPlace;  ///< the place behind its rows, if it has any
   PiecesEnd end = PiecesEnd::AllRead;
 };
 
@@ -143,7 +143,7 @@ void read_piece(const ByteSource& bytes, std::size_t begin, bool is_first, const
   }
   const std::size_t limit = std::min(begin + kBytesOfPiece, bytes.size);
   Window window{bytes, is_first ? begin : begin - 1, piece.text};
-  piece.next = limit;
+  piece.next = kNoPlace;
   if (!read_to(window, limit)) {
     piece.end = PiecesEnd::Fault;
     return;
@@ -165,14 +165,14 @@ void read_piece(const ByteSource& bytes, std::size_t begin, bool is_first, const
 /// How far some pieces were read.
 struct PiecesRead {
   PiecesEnd end = PiecesEnd::AllRead;
-  std::size_t next = 0;  ///< the place behind the rows that were used
+  std::size_t next = kNoPlace;  ///< the place behind the rows that were used, if any were
 };
 
 /// As `read_row_pieces`, for `count` pieces from one on.
 PiecesRead read_some_pieces(const ByteSource& bytes, std::size_t offset, const RowReader& reader,
                             std::size_t first, std::size_t count, const UseRows& use) {
   std::vector<Piece> pieces(std::min(count, slots_for_threads()));
-  PiecesRead read{PiecesEnd::AllRead, offset + first * kBytesOfPiece};
+  PiecesRead read;
   const auto make = [&](std::size_t i, std::size_t slot) {
     const std::size_t piece = first + i;
     read_piece(bytes, offset + piece * kBytesOfPiece, piece == 0, reader, pieces[slot]);
@@ -189,7 +189,7 @@ PiecesRead read_some_pieces(const ByteSource& bytes, std::size_t offset, const R
       read.end = PiecesEnd::Stopped;
       return false;
     }
-    read.next = piece.next;
+    if (piece.next != kNoPlace) read.next = piece.next;
     return piece.end == PiecesEnd::AllRead;
   };
   make_in_order(count, pieces.size(), make, use_piece);
@@ -244,11 +244,12 @@ const char* read_row_pieces(const char* begin, const char* end, const RowReader&
   const ByteSource bytes{size, {}, {begin, size}};
   const std::size_t count = num_pieces(bytes, 0);
   // Threads are started where there is something to read.
-  PiecesRead read = read_some_pieces(bytes, 0, reader, 0, std::min<std::size_t>(count, 1), use);
-  if (count > 1 && read.end == PiecesEnd::AllRead) {
-    read = read_some_pieces(bytes, 0, reader, 1, count - 1, use);
-  }
-  return begin + read.next;
+  const PiecesRead first =
+      read_some_pieces(bytes, 0, reader, 0, std::min<std::size_t>(count, 1), use);
+  const bool goes_on = count > 1 && first.end == PiecesEnd::AllRead;
+  const PiecesRead rest = goes_on ? read_some_pieces(bytes, 0, reader, 1, count - 1, use) : first;
+  const std::size_t next = rest.next != kNoPlace ? rest.next : first.next;
+  return begin + (next != kNoPlace ? next : 0);
 }
 
 std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offset,

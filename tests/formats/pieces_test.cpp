@@ -10,6 +10,7 @@
 #include "formats/acclaim/arm.hpp"
 #include "support/motion_checks.hpp"
 #include "support/threads.hpp"
+#include "text/row_pieces.hpp"
 
 namespace kinefile::test {
 namespace {
@@ -265,6 +266,30 @@ TEST(SeqPieces, ManyRowsAreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(text_of(diagnostics), text_of(one_diagnostics)) << line;
     ASSERT_EQ(many.has_value(), one->has_value()) << line;
     if (many) expect_equal(*many, **one);
+  }
+}
+
+TEST(RowPieces, EndAtARowWhereverTheirReaderIsStopped) {
+  // A row that goes through several pieces, in which no other begins.
+  const std::string long_row = "1 2" + std::string(700'000, ' ') + "3\n";
+  std::string rows;
+  for (int i = 0; i < 60'000; ++i) rows += "4 5 6\n";
+  const std::string text = rows + long_row + rows;
+  const text::RowReader reader = text::number_line_reader(3);
+  for (const std::size_t count : {1u, 7u}) {
+    const Threads threads(count);
+    for (std::size_t most = 0; most < 12; ++most) {
+      std::size_t num_calls = 0;
+      std::size_t num_bytes = 0;
+      const auto use = [&](const text::RowPiece& piece) {
+        if (num_calls++ == most) return false;
+        num_bytes += piece.num_bytes;
+        return true;
+      };
+      const char* const begin = text.data();
+      const char* const next = text::read_row_pieces(begin, begin + text.size(), reader, use);
+      EXPECT_EQ(static_cast<std::size_t>(next - begin), num_bytes);
+    }
   }
 }
 

@@ -119,6 +119,17 @@ void expect_equal(const Document& a, const Document& b) {
   EXPECT_TRUE(same_bits(Array<double>(values), Array<double>(values_of(b))));
 }
 
+/// Whether many rows are read at once here; a processor without vectors reads such files whole.
+bool has_vectors() {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "1,2\n";
+  double numbers[200];
+  const char* starts[100];
+  return text::comma_row_reader(2)
+             .read(text.data(), text.data() + text.size(), 100, numbers, starts)
+             .num_rows > 0;
+}
+
 /// Checks that a file is read by pieces, with the same result as whole on one thread.
 void expect_same_in_pieces(const std::string& format, const std::string& text,
                            const ReadOptions& options) {
@@ -130,10 +141,12 @@ void expect_same_in_pieces(const std::string& format, const std::string& text,
     const Threads threads(count);
     Diagnostics diagnostics;
     const auto pieces = find_format(format)->read_pieces(source_of(text), options, diagnostics);
-    ASSERT_TRUE(pieces) << text_of(diagnostics);
-    ASSERT_TRUE(*pieces);
-    expect_equal(**pieces, *whole);
-    EXPECT_EQ(text_of(diagnostics), text_of(whole_diagnostics));
+    ASSERT_EQ(pieces.has_value(), has_vectors()) << text_of(diagnostics);
+    if (pieces) {
+      ASSERT_TRUE(*pieces);
+      expect_equal(**pieces, *whole);
+      EXPECT_EQ(text_of(diagnostics), text_of(whole_diagnostics));
+    }
     Diagnostics ignored_again;
     const auto in_memory = find_format(format)->read(text, options, ignored_again);
     ASSERT_TRUE(in_memory);

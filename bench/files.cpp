@@ -121,6 +121,8 @@ bool reads_seq() {
 void add_files() {
   measure("read/kinefile", read_kinefile<&Subject::path>);
   measure("read/bare_fast_float_loop", read_baseline<&Subject::path, sum_of_bvh>);
+  measure("read_short/kinefile", read_kinefile<&Subject::short_path>);
+  measure("read_short/bare_fast_float_loop", read_baseline<&Subject::short_path, sum_of_bvh>);
   measure("read/ifstream", read_ifstream);
   measure("read_blocks/kinefile", read_blocks);
 #ifdef KINEFILE_HAS_ASSIMP
@@ -141,6 +143,8 @@ void add_files() {
   measure("write/kinefile", write_kinefile);
   compare("reading BVH, against a bare fast_float loop", "read/kinefile",
           "read/bare_fast_float_loop");
+  compare("reading BVH of shortest numbers, against the same", "read_short/kinefile",
+          "read_short/bare_fast_float_loop");
   compare("reading BVH, against ifstream >>", "read/kinefile", "read/ifstream");
   compare("reading BVH block by block, against a fast_float loop", "read_blocks/kinefile",
           "read/bare_fast_float_loop");

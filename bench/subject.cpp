@@ -14,17 +14,18 @@
 namespace kinefile::bench {
 namespace {
 
-constexpr std::size_t kFrames = 88'000;
+constexpr std::size_t kFrames = 78'000;
 
 Subject& instance() {
   static Subject made;
   return made;
 }
 
-void write_or_exit(const std::string& path, const Document& document, const char* format) {
+void write_or_exit(const std::string& path, const Document& document, const char* format,
+                   const WriteOptions& options = {}) {
   Diagnostics diagnostics;
   const auto written =
-      write_file(path, document, *find_format(format), {}, {.may_replace = true}, diagnostics);
+      write_file(path, document, *find_format(format), options, {.may_replace = true}, diagnostics);
   if (written) return;
   fmt::print(stderr, "{}\n", to_string(written.error()));
   std::exit(1);
@@ -79,16 +80,19 @@ void make_subject() {
   }
   instance().folder = folder;
   instance().path = folder + "/walk.bvh";
+  instance().short_path = folder + "/short.bvh";
   instance().amc_path = folder + "/walk.amc";
   instance().csv_path = folder + "/robot.csv";
   instance().seq_path = folder + "/robot.seq";
   instance().rounded_seq_path = folder + "/rounded.seq";
   Document document;
   document.content = examples::make_walk({.num_frames = kFrames});
-  write_or_exit(instance().path, document, "bvh");
+  const WriteOptions six_decimals{.decimals = 6};
+  write_or_exit(instance().path, document, "bvh", six_decimals);
+  write_or_exit(instance().short_path, document, "bvh");
   Diagnostics diagnostics;
   const auto bones = adapted_to(*find_format("amc"), std::move(document), {}, diagnostics);
-  write_or_exit(instance().amc_path, bones.value(), "amc");
+  write_or_exit(instance().amc_path, bones.value(), "amc", six_decimals);
   Document robot;
   robot.content = make_robot_motion();
   write_or_exit(instance().seq_path, robot, "choreonoid");

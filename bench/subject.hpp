@@ -11,9 +11,10 @@ namespace kinefile::bench {
 /// and of a robot as .seq and as CSV.
 struct Subject {
   std::string folder;
-  std::string path;
-  std::string amc_path;
-  std::string csv_path;          ///< with six decimals
+  std::string path;              ///< with six decimals, as most programs write
+  std::string short_path;        ///< the same numbers, without zeros at their ends
+  std::string amc_path;          ///< with six decimals
+  std::string csv_path;          ///< likewise
   std::string seq_path;          ///< with 17 digits
   std::string rounded_seq_path;  ///< with six decimals
   Motion motion;                 ///< of `path`; empty until `load_subject`

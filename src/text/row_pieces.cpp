@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "text/number_lines.hpp"
-#include "text/scanner.hpp"
+#include "text/numbers.hpp"
 
 namespace kinefile::text {
 namespace {

@@ -200,6 +200,15 @@ std::size_t num_pieces(const ByteSource& bytes, std::size_t offset) {
   return (bytes.size - offset + kBytesOfPiece - 1) / kBytesOfPiece;
 }
 
+/// Reads a file's first bytes up to a line end, at most `size`; false after a fault, and if there
+/// is no line end.
+bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head) {
+  head.resize(std::min(size, bytes.size));
+  if (!bytes.read(0, head.mutate())) return false;
+  while (!head.empty() && head.back() != '\n') head.resize(head.size() - 1);
+  return !head.empty();
+}
+
 }  // namespace
 
 RowReader comma_row_reader(std::size_t num_columns) {
@@ -252,6 +261,10 @@ const char* read_row_pieces(const char* begin, const char* end, const RowReader&
   return begin + (next != kNoPlace ? next : 0);
 }
 
+std::size_t likely_rows(std::size_t num_bytes, const RowPiece& piece) {
+  return (num_bytes / piece.num_bytes + 2) * piece.starts.size();
+}
+
 std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offset,
                                       const RowReader& reader) {
   IndexedRows indexed{bytes, offset, reader};
@@ -290,14 +303,9 @@ bool read_rows(const IndexedRows& rows, std::size_t first, std::size_t count, do
              .end == PiecesEnd::AllRead;
 }
 
-bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head) {
-  head.resize(std::min(size, bytes.size));
-  if (!bytes.read(0, head.mutate())) return false;
-  while (!head.empty() && head.back() != '\n') head.resize(head.size() - 1);
-  return !head.empty();
-}
-
-Array<char> read_head_to(const ByteSource& bytes, std::size_t (*end_of)(std::string_view lines)) {
+Array<char> read_head_to(const ByteSource& bytes,
+                         const std::function<std::size_t(std::string_view lines)>& end_of) {
+  constexpr std::size_t kFirstHead = std::size_t{1} << 18, kMostHead = std::size_t{1} << 24;
   Array<char> head;
   for (std::size_t size = kFirstHead; size <= kMostHead; size *= 16) {
     if (!read_head(bytes, size, head)) break;

@@ -57,7 +57,8 @@ enum class PiecesEnd {
 
 /// Reads rows from a place in a file to its end, on several threads if there is much to read. No
 /// more than some pieces are in memory. Rows before an odd one in its piece are used, too. Line
-/// ends at the end of the file are passed over. \param offset  where a row begins
+/// ends at the end of the file are passed over.
+/// \param offset  where a row begins
 PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, const RowReader& reader,
                           const UseRows& use);
 
@@ -65,6 +66,11 @@ PiecesEnd read_row_pieces(const ByteSource& bytes, std::size_t offset, const Row
 /// \returns  the first row that is another, or is left; or the end
 const char* read_row_pieces(const char* begin, const char* end, const RowReader& reader,
                             const UseRows& use);
+
+/// How many rows there are if all were as long as those of a piece.
+/// \param num_bytes  of the text of all rows
+/// \param piece      with a row at the least
+std::size_t likely_rows(std::size_t num_bytes, const RowPiece& piece);
 
 /// Rows that are read again by their numbers.
 struct IndexedRows {
@@ -85,16 +91,12 @@ std::optional<IndexedRows> index_rows(const ByteSource& bytes, std::size_t offse
 /// \returns    false after a fault, and if the file has other rows now
 bool read_rows(const IndexedRows& rows, std::size_t first, std::size_t count, double* out);
 
-/// How much of a file is looked at for the beginning of its rows: at first, and at the most.
-inline constexpr std::size_t kFirstHead = std::size_t{1} << 18, kMostHead = std::size_t{1} << 24;
-
-/// Reads a file's first bytes up to a line end, at most `size`; all of them if there are no more.
-/// \param head  out: bytes; not empty
-/// \returns     false after a fault, and if there is no line end
-bool read_head(const ByteSource& bytes, std::size_t size, Array<char>& head);
-
-/// Reads as much of a file's beginning as has an end that is looked for; empty if there is none.
-/// \param end_of  the number of bytes that are wanted of some lines; 0 if more are needed
-Array<char> read_head_to(const ByteSource& bytes, std::size_t (*end_of)(std::string_view lines));
+/// Reads as much of a file's beginning as has an end that is looked for: whole lines, up to 16 MB.
+/// Empty if there is none.
+/// \param end_of  the number of bytes that are wanted of some lines; 0 if more are needed. The
+/// lines
+///                stay where they are if it finds an end
+Array<char> read_head_to(const ByteSource& bytes,
+                         const std::function<std::size_t(std::string_view lines)>& end_of);
 
 }  // namespace kinefile::text

@@ -75,9 +75,8 @@ std::optional<std::size_t> read_like_frames(const LikeFrames& like, const ByteSo
   std::size_t num_frames = 0;
   const auto use = [&](const text::RowPiece& piece) {
     if (num_frames == 0 && !piece.starts.empty()) {
-      // As many frames as if all were as long as the first ones.
-      const std::size_t num_pieces = (bytes.size - offset) / piece.num_bytes + 2;
-      values.reserve(values.size() + num_pieces * piece.starts.size() * like.num_columns);
+      const std::size_t likely = text::likely_rows(bytes.size - offset, piece);
+      values.reserve(values.size() + likely * like.num_columns);
     }
     num_frames += piece.starts.size();
     return append_frames(like, piece, number, values) == piece.starts.size();

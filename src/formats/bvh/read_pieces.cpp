@@ -47,12 +47,12 @@ std::unique_ptr<Head> parse_head(std::string_view bytes, const kinefile::ReadOpt
 /// \param bytes  in: the file; out: its beginning is in `text`, which the result points into
 std::unique_ptr<Head> find_head(const ByteSource& bytes, const kinefile::ReadOptions& options,
                                 bool are_strict, Array<char>& text) {
-  for (std::size_t size = text::kFirstHead; size <= text::kMostHead; size *= 16) {
-    if (!text::read_head(bytes, size, text)) return nullptr;
-    auto head = parse_head({text.data(), text.size()}, options, are_strict);
-    if (head != nullptr || size >= bytes.size) return head;
-  }
-  return nullptr;
+  std::unique_ptr<Head> head;
+  text = text::read_head_to(bytes, [&](std::string_view lines) {
+    head = parse_head(lines, options, are_strict);
+    return head == nullptr ? 0 : lines.size();
+  });
+  return head;
 }
 
 /// A file with plain text before its rows.
@@ -79,13 +79,9 @@ std::optional<PlainFile> find_plain_file(const ByteSource& bytes,
 /// Reads the rows behind the head; false if the file is not plain.
 /// \param offset  where they begin
 bool read_all_rows(const ByteSource& bytes, std::size_t offset, File& file) {
-  std::size_t num_bytes = 0;
   const auto use = [&](const text::RowPiece& piece) {
-    num_bytes += piece.num_bytes;
-    if (file.num_frames == 0 && !piece.values.empty()) {
-      // As many rows as if all were as long as the first ones.
-      const std::size_t num_pieces = (bytes.size - offset) / num_bytes + 1;
-      file.values.reserve(piece.values.size() * (num_pieces + 1));
+    if (file.num_frames == 0 && !piece.starts.empty()) {
+      file.values.reserve(text::likely_rows(bytes.size - offset, piece) * file.num_columns);
     }
     file.values.append(piece.values);
     file.num_frames += piece.starts.size();
